@@ -1,0 +1,56 @@
+// The base frame from one or several clouds: floor plane, and on it a marker or the foot of the camera.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <mixed_palletizing/detection/options.hpp>
+#include <mixed_palletizing/geometry/cloud_view.hpp>
+#include <mixed_palletizing/geometry/plane.hpp>
+#include <mixed_palletizing/geometry/pose.hpp>
+
+namespace mixed_palletizing::detection {
+
+enum class BaseFrameSource {
+  kMarker,  ///< origin at the marker's centre, x from corner 0 to corner 1, z = floor normal
+  kFloor,   ///< origin at the foot of the camera's perpendicular, x = the camera's x projected on the floor
+};
+
+struct MarkerSighting {
+  int id = 0;
+  std::array<Eigen::Vector2d, 4> corners_px;  ///< column, row; in OpenCV's order
+  std::array<Eigen::Vector3d, 4> corners;     ///< camera frame [m]
+};
+
+struct BaseFrame {
+  geometry::Pose base_from_camera = geometry::Pose::Identity();
+  geometry::Plane floor;  ///< camera frame, the normal points to the camera's side (up)
+  std::size_t plane_inliers = 0;
+  double plane_rms_m = 0.0;
+  std::vector<MarkerSighting> markers;  ///< all that were seen, the used one first
+};
+
+/// Outcome of looking for the base frame: a frame, or a message that says what was seen instead.
+struct BaseFrameResult {
+  std::optional<BaseFrame> frame;
+  std::string message;
+};
+
+/// Base frame from one cloud (thesis 3.2.1: eq. 3.4, 3.6, 3.7). The marker source needs colour in the cloud.
+BaseFrameResult findBaseFrame(const geometry::CloudView& cloud, BaseFrameSource source,
+                              const DetectionOptions& options);
+
+struct AveragedBaseFrame {
+  BaseFrame frame;               ///< mean pose; plane and markers of the first cloud, summed inliers, mean rms
+  double spread_m = 0.0;         ///< largest distance of one origin from the mean origin
+  double spread_rad = 0.0;       ///< largest angle of one orientation from the mean orientation
+};
+
+/// Mean of the frames found in several clouds of the same scene. Throws std::invalid_argument when empty.
+AveragedBaseFrame averageBaseFrames(const std::vector<BaseFrame>& frames);
+
+}  // namespace mixed_palletizing::detection

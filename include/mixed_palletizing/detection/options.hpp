@@ -1,0 +1,61 @@
+// Every threshold of the detection. The member defaults are the documented defaults.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace mixed_palletizing::detection {
+
+/// RANSAC for the floor plane (thesis 3.2.1).
+struct PlaneOptions {
+  double distance_m = 0.005;        ///< inlier distance; grown to the measured noise where the sensor is coarse
+  double probability = 0.99999;     ///< p_t of eq. 3.4
+  int max_iterations = 2000;        ///< upper bound on eq. 3.4 while the best plane is still small
+  double min_inlier_ratio = 0.1;    ///< of the valid points; a smaller plane is no floor
+  int seed = 1;
+};
+
+struct MarkerOptions {
+  std::string dictionary = "DICT_4X4_50";  ///< OpenCV's name of a predefined dictionary
+  int id = 0;
+  bool inverted = true;  ///< white on black printed as its negative: look for both ink polarities
+};
+
+/// Clusters above the floor (thesis 3.2.2).
+struct ClusterOptions {
+  double min_height_m = 0.02;        ///< plane removal: lower points belong to the floor
+  double max_height_m = 2.0;         ///< higher points are ignored (robot, lamp)
+  double neighbor_distance_m = 0.02; ///< Euclidean comparator between grid neighbours
+  int min_points = 400;              ///< smaller components are noise
+};
+
+/// Top face and its edges (thesis 3.2.2, 4.1.3).
+struct TopOptions {
+  double height_patch_radius_m = 0.05;  ///< patch whose mean is the height
+  double slice_m = 0.001;               ///< height of one slice of the adaptive separation
+  double search_depth_m = 0.010;        ///< the slices start this far below the height
+  double slice_ratio = 2.0;             ///< th_slice: points of a top slice over points of a side slice
+  double min_edge_length_m = 0.015;     ///< th_length of Algorithm 2
+  double new_edge_angle_rad = 1.3963;   ///< th_add of Algorithm 2: 80 degrees
+  double merge_angle_rad = 0.17453;     ///< th_merge of Algorithm 2: 10 degrees
+};
+
+/// What may be called a box.
+struct BoxOptions {
+  double min_side_m = 0.04;
+  double max_side_m = 1.5;
+  double min_rectangularity = 0.8;  ///< area of the top's hull over the area of the fitted rectangle
+};
+
+struct DetectionOptions {
+  PlaneOptions plane;
+  MarkerOptions marker;
+  ClusterOptions cluster;
+  TopOptions top;
+  BoxOptions box;
+};
+
+/// Every broken rule as one line "key: what is wrong"; empty when the options can be used.
+std::vector<std::string> problems(const DetectionOptions& options);
+
+}  // namespace mixed_palletizing::detection

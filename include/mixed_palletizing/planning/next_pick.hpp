@@ -1,0 +1,59 @@
+// Which of the available items to pick next and where to place it (thesis 3.3.3).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <mixed_palletizing/packing/genetic_search.hpp>
+#include <mixed_palletizing/packing/pallet_state.hpp>
+#include <mixed_palletizing/packing/types.hpp>
+
+namespace mixed_palletizing::planning {
+
+enum class PlanMethod {
+  kDblf,  ///< the first available item that fits, by DBLF: the thesis' "only heuristic"
+  kGa,    ///< future cost of every available item by a genetic search over the rest
+};
+
+/// Parses "dblf" or "ga"; std::nullopt for another word.
+std::optional<PlanMethod> planMethodFromString(const std::string& word);
+
+struct PlannerOptions {
+  PlanMethod method = PlanMethod::kGa;
+  int n_cost = 8;  ///< N_cost: how many of the best future costs of an item are compared
+  packing::GeneticOptions genetic;
+};
+
+std::vector<std::string> problems(const PlannerOptions& options);
+
+/// What can be known when a decision is made: the pallet, the items at hand, and the multiset of all items that are
+/// neither placed nor discarded (`remaining`, the available ones included), never the order in which they come.
+struct Situation {
+  const packing::PalletState& pallet;
+  const std::vector<packing::ItemType>& types;
+  std::vector<int> available;  ///< type index of every item that can be picked now
+  std::vector<int> remaining;  ///< count per type, available ones included
+};
+
+/// One available item as the planner sees it.
+struct PickOption {
+  bool feasible = false;
+  packing::Placement placement;      ///< when feasible
+  std::vector<double> future_costs;  ///< the N_cost best, ascending: 1 - utilization at the end of the order
+  std::string reason;                ///< why not feasible
+};
+
+struct Decision {
+  std::optional<std::size_t> chosen;  ///< index in Situation::available; none when nothing fits
+  std::vector<PickOption> options;    ///< one for every available item
+};
+
+/// Decides. Deterministic for the same situation, options and seed unless `stop` cuts the search short; it always
+/// answers with a feasible choice when one exists, even when `stop` is true from the start.
+/// Throws std::invalid_argument when `available` is not contained in `remaining` or an index is out of range.
+Decision chooseNextPick(const Situation& situation, const PlannerOptions& options, std::uint64_t seed,
+                        const packing::StopCallback& stop);
+
+}  // namespace mixed_palletizing::planning
