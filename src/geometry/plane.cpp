@@ -23,7 +23,8 @@ void PlaneAccumulator::add(const Eigen::Vector3d& point) {
 
 PlaneAccumulator::Fit PlaneAccumulator::fit() const {
   if (count_ < 3) {
-    throw std::invalid_argument("PlaneAccumulator::fit: " + std::to_string(count_) + " points, at least 3 needed");
+    throw std::invalid_argument("PlaneAccumulator::fit: " + std::to_string(count_) +
+                                " points, at least 3 needed");
   }
   const double n = static_cast<double>(count_);
   const Eigen::Vector3d mean = sum_ / n;

@@ -15,7 +15,8 @@ double fold(double angle_rad, double period_rad) {
 }  // namespace
 
 Eigen::Matrix3d alignVectors(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  // Eq. 3.6 divides by |k| = sin(theta); Eigen's half-angle form is the same rotation and stays finite at 0 and pi.
+  // Eq. 3.6 divides by |k| = sin(theta); Eigen's half-angle form is the same rotation and stays finite at 0
+  // and pi.
   return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
 }
 

@@ -45,9 +45,9 @@ BaseFrameResult findBaseFrame(const geometry::CloudView& cloud, BaseFrameSource 
                               const DetectionOptions& options);
 
 struct AveragedBaseFrame {
-  BaseFrame frame;               ///< mean pose; plane and markers of the first cloud, summed inliers, mean rms
-  double spread_m = 0.0;         ///< largest distance of one origin from the mean origin
-  double spread_rad = 0.0;       ///< largest angle of one orientation from the mean orientation
+  BaseFrame frame;          ///< mean pose; plane and markers of the first cloud, summed inliers, mean rms
+  double spread_m = 0.0;    ///< largest distance of one origin from the mean origin
+  double spread_rad = 0.0;  ///< largest angle of one orientation from the mean orientation
 };
 
 /// Mean of the frames found in several clouds of the same scene. Throws std::invalid_argument when empty.

@@ -20,9 +20,9 @@ class BoxDetector {
   BoxDetector(BoxDetector&&) noexcept;
   BoxDetector& operator=(BoxDetector&&) noexcept;
 
-  /// Boxes of one cloud in the base frame. The cloud is read in place, once for the clusters; points that are not
-  /// finite are skipped. `keep_stages` fills Detections::stage_pixels for debugging.
-  /// Throws std::invalid_argument for a view without data or size.
+  /// Boxes of one cloud in the base frame. The cloud is read in place, once for the clusters; points that are
+  /// not finite are skipped. `keep_stages` fills Detections::stage_pixels for debugging. Throws
+  /// std::invalid_argument for a view without data or size.
   Detections detect(const geometry::CloudView& cloud, const geometry::Pose& base_from_camera,
                     bool keep_stages = false);
 

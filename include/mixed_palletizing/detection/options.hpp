@@ -8,10 +8,10 @@ namespace mixed_palletizing::detection {
 
 /// RANSAC for the floor plane (thesis 3.2.1).
 struct PlaneOptions {
-  double distance_m = 0.005;        ///< inlier distance; grown to the measured noise where the sensor is coarse
-  double probability = 0.99999;     ///< p_t of eq. 3.4
-  int max_iterations = 2000;        ///< upper bound on eq. 3.4 while the best plane is still small
-  double min_inlier_ratio = 0.1;    ///< of the valid points; a smaller plane is no floor
+  double distance_m = 0.005;      ///< inlier distance; grown to the measured noise where the sensor is coarse
+  double probability = 0.99999;   ///< p_t of eq. 3.4
+  int max_iterations = 2000;      ///< upper bound on eq. 3.4 while the best plane is still small
+  double min_inlier_ratio = 0.1;  ///< of the valid points; a smaller plane is no floor
   int seed = 1;
 };
 
@@ -23,10 +23,10 @@ struct MarkerOptions {
 
 /// Clusters above the floor (thesis 3.2.2).
 struct ClusterOptions {
-  double min_height_m = 0.02;        ///< plane removal: lower points belong to the floor
-  double max_height_m = 2.0;         ///< higher points are ignored (robot, lamp)
-  double neighbor_distance_m = 0.02; ///< Euclidean comparator between grid neighbours
-  int min_points = 400;              ///< smaller components are noise
+  double min_height_m = 0.02;         ///< plane removal: lower points belong to the floor
+  double max_height_m = 2.0;          ///< higher points are ignored (robot, lamp)
+  double neighbor_distance_m = 0.02;  ///< Euclidean comparator between grid neighbours
+  int min_points = 400;               ///< smaller components are noise
 };
 
 /// Top face and its edges (thesis 3.2.2, 4.1.3).

@@ -15,7 +15,8 @@ Eigen::Matrix3d alignVectors(const Eigen::Vector3d& from, const Eigen::Vector3d&
 /// Angle [rad] folded into [-pi/2, pi/2): the yaw of a box, which repeats every half turn.
 double foldHalfTurn(double angle_rad);
 
-/// Angle [rad] folded into [-pi/4, pi/4): the direction of a rectangle's sides, which repeats every quarter turn.
+/// Angle [rad] folded into [-pi/4, pi/4): the direction of a rectangle's sides, which repeats every quarter
+/// turn.
 double foldQuarterTurn(double angle_rad);
 
 /// Pose with translation [m] and rotation by yaw [rad] about z.

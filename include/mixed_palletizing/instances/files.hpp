@@ -18,12 +18,12 @@ std::string formatInstance(const Instance& instance);
 PackingResult parseResult(const std::string& line, const Instance& instance);
 std::string formatResult(const PackingResult& result, const Instance& instance);
 
-/// All instances of a JSON-lines file, blank lines skipped. Throws std::invalid_argument naming path and line,
-/// std::runtime_error when the file cannot be read.
+/// All instances of a JSON-lines file, blank lines skipped. Throws std::invalid_argument naming path and
+/// line, std::runtime_error when the file cannot be read.
 std::vector<Instance> readInstances(const std::string& path);
 
-/// All instances of a BR text file (Bischoff and Ratcliff 1995): centimetres become millimetres, the flags tell
-/// which side may stand vertical. Errors as readInstances().
+/// All instances of a BR text file (Bischoff and Ratcliff 1995): centimetres become millimetres, the flags
+/// tell which side may stand vertical. Errors as readInstances().
 std::vector<Instance> readBrInstances(const std::string& path);
 
 }  // namespace mixed_palletizing::instances

@@ -19,8 +19,9 @@ struct GeneratorOptions {
 
 std::vector<std::string> problems(const GeneratorOptions& options);
 
-/// One order whose items fill the pallet without waste, with that packing and a shuffled arrival. The same options,
-/// seed and index give the same instance. Throws std::invalid_argument with every line of problems(options).
+/// One order whose items fill the pallet without waste, with that packing and a shuffled arrival. The same
+/// options, seed and index give the same instance. Throws std::invalid_argument with every line of
+/// problems(options).
 Instance generateInstance(const GeneratorOptions& options, std::uint64_t seed, int index);
 
 }  // namespace mixed_palletizing::instances

@@ -32,9 +32,9 @@ struct PackingResult {
   std::uint64_t seed = 0;
 };
 
-/// Independent check of every placement, written without the packing core's spaces: inside, no overlap, support,
-/// loadable from above, gap, every item once, the stated utilization, and (when `available` is given) the rules of
-/// arrival with n_pick visible. Every fault as one line; empty when the result is valid.
+/// Independent check of every placement, written without the packing core's spaces: inside, no overlap,
+/// support, loadable from above, gap, every item once, the stated utilization, and (when `available` is
+/// given) the rules of arrival with n_pick visible. Every fault as one line; empty when the result is valid.
 std::vector<std::string> checkResult(const Instance& instance, const PackingResult& result);
 
 }  // namespace mixed_palletizing::instances

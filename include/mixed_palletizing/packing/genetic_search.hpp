@@ -14,7 +14,8 @@ namespace mixed_palletizing::packing {
 /// Returns true when the search has to stop and answer with its best so far.
 using StopCallback = std::function<bool()>;
 
-/// Defaults of the thesis' planning experiment (4.2); its packing experiment uses population 30, 10 generations.
+/// Defaults of the thesis' planning experiment (4.2); its packing experiment uses population 30, 10
+/// generations.
 struct GeneticOptions {
   int population = 8;
   int elite = 2;
@@ -28,7 +29,8 @@ struct GeneticOptions {
 
 std::vector<std::string> problems(const GeneticOptions& options);
 
-/// A loading sequence and what it packs when every item is placed by the rule, those that fit nowhere left out.
+/// A loading sequence and what it packs when every item is placed by the rule, those that fit nowhere left
+/// out.
 struct SequenceResult {
   std::vector<int> sequence;          ///< item types in loading order
   std::vector<Placement> placements;  ///< of the packed items only
@@ -37,8 +39,8 @@ struct SequenceResult {
 };
 
 /// Packs `sequence` (type indices) on top of `state` by the rule.
-SequenceResult packSequence(PalletState state, const std::vector<ItemType>& types, const std::vector<int>& sequence,
-                            PlacementRule rule);
+SequenceResult packSequence(PalletState state, const std::vector<ItemType>& types,
+                            const std::vector<int>& sequence, PlacementRule rule);
 
 struct GenerationReport {
   int generation = 0;
@@ -52,8 +54,9 @@ struct GeneticResult {
   int generations_run = 0;
 };
 
-/// Searches the order of `items` (type indices) that packs most on top of `state`; stops early when everything is
-/// packed or `stop` says so. `keep` is how many of the best utilizations are returned. `report` may be empty.
+/// Searches the order of `items` (type indices) that packs most on top of `state`; stops early when
+/// everything is packed or `stop` says so. `keep` is how many of the best utilizations are returned. `report`
+/// may be empty.
 GeneticResult geneticSearch(const PalletState& state, const std::vector<ItemType>& types,
                             const std::vector<int>& items, const GeneticOptions& options, std::size_t keep,
                             const StopCallback& stop,

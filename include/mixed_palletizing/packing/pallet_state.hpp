@@ -10,12 +10,13 @@ namespace mixed_palletizing::packing {
 
 /// Value type: copy it to try something. place() and undo() keep the spaces up to date.
 ///
-/// A supported maximal space (thesis 3.3.1) is an empty cuboid that reaches the pallet's height limit, whose base
-/// lies on the floor or wholly on tops of its exact height (tops of several boxes count together), and that no
-/// other such cuboid contains.
+/// A supported maximal space (thesis 3.3.1) is an empty cuboid that reaches the pallet's height limit, whose
+/// base lies on the floor or wholly on tops of its exact height (tops of several boxes count together), and
+/// that no other such cuboid contains.
 class PalletState {
  public:
-  /// Throws std::invalid_argument for a size that is not positive, a negative gap or a support ratio outside (0, 1].
+  /// Throws std::invalid_argument for a size that is not positive, a negative gap or a support ratio outside
+  /// (0, 1].
   explicit PalletState(const PalletRules& rules);
 
   const PalletRules& rules() const { return rules_; }

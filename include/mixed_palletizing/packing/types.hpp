@@ -19,9 +19,7 @@ struct Vec3 {
 };
 
 /// Volume [mm^3] of a size.
-inline std::int64_t volume(const Vec3& size) {
-  return static_cast<std::int64_t>(size.x) * size.y * size.z;
-}
+inline std::int64_t volume(const Vec3& size) { return static_cast<std::int64_t>(size.x) * size.y * size.z; }
 
 /// Which of an item's sides may stand vertical, and whether it may turn about the vertical.
 struct Rotations {
@@ -47,9 +45,10 @@ std::vector<Vec3> orientations(const ItemType& type);
 
 /// Rules of a pallet.
 struct PalletRules {
-  Vec3 size;                       ///< packing volume [mm]
-  int gap = 0;                     ///< free space kept beside every box [mm]
-  double min_support_ratio = 1.0;  ///< of a box's base area, on the floor or on tops at exactly its base height
+  Vec3 size;    ///< packing volume [mm]
+  int gap = 0;  ///< free space kept beside every box [mm]
+  double min_support_ratio =
+      1.0;  ///< of a box's base area, on the floor or on tops at exactly its base height
 };
 
 /// A set of items for one pallet: `counts[i]` items of `types[i]`.

@@ -29,8 +29,9 @@ struct BoxMatch {
   std::string message;          ///< the nearest type and by how much it is missed, or the candidates
 };
 
-/// Compares with every type that has items left, standing on each side its rotations allow and turned about the
-/// vertical at will (the robot grips it at any yaw). Two types within tolerance are ambiguous unless they pack alike.
+/// Compares with every type that has items left, standing on each side its rotations allow and turned about
+/// the vertical at will (the robot grips it at any yaw). Two types within tolerance are ambiguous unless they
+/// pack alike.
 BoxMatch matchBox(const MeasuredBox& box, const std::vector<packing::ItemType>& types,
                   const std::vector<int>& remaining, const MatchingOptions& options);
 

@@ -28,8 +28,9 @@ struct PlannerOptions {
 
 std::vector<std::string> problems(const PlannerOptions& options);
 
-/// What can be known when a decision is made: the pallet, the items at hand, and the multiset of all items that are
-/// neither placed nor discarded (`remaining`, the available ones included), never the order in which they come.
+/// What can be known when a decision is made: the pallet, the items at hand, and the multiset of all items
+/// that are neither placed nor discarded (`remaining`, the available ones included), never the order in which
+/// they come.
 struct Situation {
   const packing::PalletState& pallet;
   const std::vector<packing::ItemType>& types;
@@ -50,9 +51,9 @@ struct Decision {
   std::vector<PickOption> options;    ///< one for every available item
 };
 
-/// Decides. Deterministic for the same situation, options and seed unless `stop` cuts the search short; it always
-/// answers with a feasible choice when one exists, even when `stop` is true from the start.
-/// Throws std::invalid_argument when `available` is not contained in `remaining` or an index is out of range.
+/// Decides. Deterministic for the same situation, options and seed unless `stop` cuts the search short; it
+/// always answers with a feasible choice when one exists, even when `stop` is true from the start. Throws
+/// std::invalid_argument when `available` is not contained in `remaining` or an index is out of range.
 Decision chooseNextPick(const Situation& situation, const PlannerOptions& options, std::uint64_t seed,
                         const packing::StopCallback& stop);
 

@@ -51,8 +51,8 @@ struct ChooseReply {
   Decision decision;
 };
 
-/// One pallet from start to close. Every call answers a status and leaves the state unchanged when it refuses.
-/// Not thread safe.
+/// One pallet from start to close. Every call answers a status and leaves the state unchanged when it
+/// refuses. Not thread safe.
 class PalletSession {
  public:
   explicit PalletSession(const PlannerOptions& options);
@@ -64,10 +64,12 @@ class PalletSession {
   ChooseReply choose(const std::string& request_id, const std::vector<int>& available,
                      const packing::StopCallback& stop, double elapsed_ms_of_caller = 0.0);
 
-  /// `placement` overrides the planned one when the robot measured another pose. Repeating a report is harmless.
-  /// kDiscarded takes the items at `discarded` (indices in the decision's available list) out of the order.
+  /// `placement` overrides the planned one when the robot measured another pose. Repeating a report is
+  /// harmless. kDiscarded takes the items at `discarded` (indices in the decision's available list) out of
+  /// the order.
   SessionReply report(std::uint64_t decision_id, PickOutcome outcome,
-                      const std::optional<packing::Placement>& placement, const std::vector<std::size_t>& discarded);
+                      const std::optional<packing::Placement>& placement,
+                      const std::vector<std::size_t>& discarded);
 
   SessionReply undoLast();
   SessionReply close(PalletSummary& summary);
@@ -76,9 +78,9 @@ class PalletSession {
   const packing::PalletState* pallet() const;  ///< null when no pallet is open
   const packing::Order* order() const;
   const std::string& palletId() const;
-  std::vector<int> remaining() const;  ///< count per type
-  std::vector<int> discarded() const;  ///< count per type
-  std::uint64_t revision() const;      ///< grows with every change
+  std::vector<int> remaining() const;                          ///< count per type
+  std::vector<int> discarded() const;                          ///< count per type
+  std::uint64_t revision() const;                              ///< grows with every change
   std::optional<packing::Placement> pendingPlacement() const;  ///< of the last decision, not yet reported
 };
 

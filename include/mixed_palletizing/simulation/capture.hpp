@@ -11,7 +11,8 @@ namespace mixed_palletizing::simulation {
 
 struct Capture {
   geometry::OrganizedCloud cloud;
-  std::vector<std::uint16_t> mask;  ///< row-major: 0 = no box, i + 1 = scene.boxes[i]; also where the cloud has no data
+  std::vector<std::uint16_t>
+      mask;  ///< row-major: 0 = no box, i + 1 = scene.boxes[i]; also where the cloud has no data
   std::vector<std::size_t> visible_pixels;  ///< per box: pixels of the mask
   std::vector<double> top_visibility;       ///< per box: seen share of the top face's projection, [0, 1]
 };

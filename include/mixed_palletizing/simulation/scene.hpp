@@ -11,7 +11,8 @@
 
 namespace mixed_palletizing::simulation {
 
-/// World frame: z up, floor at z = 0; the marker's centre is usually the origin, so that the world is the base frame.
+/// World frame: z up, floor at z = 0; the marker's centre is usually the origin, so that the world is the
+/// base frame.
 struct Floor {
   double size_x_m = 4.0;  ///< the floor is a rectangle around the origin
   double size_y_m = 4.0;
@@ -21,11 +22,11 @@ struct Floor {
 struct Marker {
   std::string dictionary = "DICT_4X4_50";
   int id = 0;
-  double side_m = 0.15;   ///< outer side of the black (inverted: white) border
+  double side_m = 0.15;        ///< outer side of the black (inverted: white) border
   double quiet_zone_m = 0.02;  ///< paper around the border
   bool inverted = true;
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< of the centre on the floor
-  double yaw_rad = 0.0;  ///< direction from corner 0 to corner 1
+  double yaw_rad = 0.0;                                  ///< direction from corner 0 to corner 1
 };
 
 struct SceneBox {
@@ -60,8 +61,8 @@ struct Scene {
   Noise noise;
 };
 
-/// Pose of a camera at `eye` looking at `target`, image up as near to world z as it can be (to world y when the
-/// camera looks straight down). Throws std::invalid_argument when eye and target coincide.
+/// Pose of a camera at `eye` looking at `target`, image up as near to world z as it can be (to world y when
+/// the camera looks straight down). Throws std::invalid_argument when eye and target coincide.
 geometry::Pose lookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target);
 
 /// Every broken rule as one line "key: what is wrong".
