@@ -1,0 +1,73 @@
+# Shared by the scripts: messages, packages, workspace. Source it; needs bash.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
+workspace=${MIXED_PALLETIZING_WORKSPACE:-$root/build}
+jobs=${MIXED_PALLETIZING_JOBS:-2}
+
+say() { printf '\033[1m== %s\033[0m\n' "$*" >&2; }
+die() { printf 'error: %s\n' "$*" >&2; exit 1; }
+
+# Noetic lives below /opt/ros on Ubuntu; Debian has it under /usr.
+noetic=/opt/ros/noetic/setup.bash
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then "$@"
+  elif command -v sudo >/dev/null; then sudo "$@"
+  else die "root rights are needed for: $* (no sudo here; run it yourself, then repeat)"
+  fi
+}
+
+# install_packages LIST...: installs what is missing of the Debian packages named in scripts/packages/LIST.txt.
+install_packages() {
+  if [ -f "$noetic" ]; then install_packages_noetic; return; fi
+  command -v apt-get >/dev/null || die "no apt-get here: Debian bookworm, or Ubuntu 20.04 with ROS Noetic, is needed"
+  local wanted missing
+  wanted=$(for list in "$@"; do grep -v '^#' "$root/scripts/packages/$list.txt"; done | sort -u)
+  missing=$(comm -13 <(dpkg-query -W -f '${db:Status-Abbrev} ${Package}\n' | awk '$1 == "ii" {print $2}' | sort -u) \
+    <(printf '%s\n' "$wanted"))
+  [ -n "$missing" ] || return 0
+  say "installing $(printf '%s\n' "$missing" | wc -l) Debian packages with apt-get"
+  printf '%s\n' "$missing" | paste -sd' ' | fold -s -w 110 >&2
+  as_root apt-get update -qq
+  # shellcheck disable=SC2086
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null ||
+    die "apt-get could not install the packages above"
+}
+
+install_packages_noetic() {
+  # shellcheck disable=SC1090
+  . "$noetic"
+  command -v rosdep >/dev/null || die "rosdep is missing: apt-get install python3-rosdep, then rosdep init && rosdep update"
+  say "installing what rosdep finds missing"
+  rosdep install --from-paths "$root" --ignore-src -y --rosdistro noetic || die "rosdep could not install the dependencies"
+}
+
+# make_workspace [TARGET...]: configures and builds the catkin workspace around this checkout.
+make_workspace() {
+  export PATH=/usr/bin:$PATH  # ROS' Python modules belong to the system's python3
+  mkdir -p "$workspace/src"
+  ln -sfn "$root" "$workspace/src/mixed_palletizing"
+  say "building in $workspace"
+  local log="$workspace/build.log" target
+  for target in "${@:-all}"; do
+    (cd "$workspace" && catkin_make -j"$jobs" --only-pkg-with-deps mixed_palletizing \
+      -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 \
+      -DCATKIN_ENABLE_TESTING="${CATKIN_ENABLE_TESTING:-OFF}" "$target") >"$log" 2>&1 ||
+      { grep -E -A6 'error|Error' "$log" | head -n 60 >&2; die "the build failed; the whole log is $log"; }
+  done
+}
+
+# use_workspace [devel|install]: puts the built package on the paths of this shell.
+use_workspace() {
+  # The generated script reads variables that may be unset.
+  set +u
+  # shellcheck disable=SC1090,SC1091
+  . "$workspace/${1:-devel}/setup.bash"
+  set -u
+  export PATH=/usr/bin:$PATH
+}
+
+# free_port: a TCP port nobody listens on.
+free_port() {
+  /usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
+}
