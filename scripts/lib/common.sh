@@ -50,7 +50,7 @@ make_workspace() {
   say "building in $workspace"
   local log="$workspace/build.log" target
   for target in "${@:-all}"; do
-    (cd "$workspace" && catkin_make -j"$jobs" --only-pkg-with-deps mixed_palletizing \
+    (cd "$workspace" && catkin_make -j"$jobs" \
       -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 \
       -DCATKIN_ENABLE_TESTING="${CATKIN_ENABLE_TESTING:-OFF}" "$target") >"$log" 2>&1 ||
       { grep -E -A6 'error|Error' "$log" | head -n 60 >&2; die "the build failed; the whole log is $log"; }

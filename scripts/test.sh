@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds with warnings as errors, and runs every test: unit tests, rostests, tools, install space, style.
+# usage: scripts/test.sh [--fast]     (--fast leaves out the rostests and the install space)
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
+
+fast=
+case ${1:-} in
+  '') ;;
+  --fast) fast=yes ;;
+  *) die "unknown argument '$1'; usage: scripts/test.sh [--fast]" ;;
+esac
+
+install_packages build test screenshot
+if [ -z "${MIXED_PALLETIZING_DATA:-}" ] && [ -d "$root/../shared/data" ]; then
+  MIXED_PALLETIZING_DATA=$(cd "$root/../shared/data" && pwd -P)
+fi
+if [ -n "${MIXED_PALLETIZING_DATA:-}" ]; then
+  export MIXED_PALLETIZING_DATA
+  say "recorded data: $MIXED_PALLETIZING_DATA"
+else
+  say "no recorded data (MIXED_PALLETIZING_DATA is not set): the tests on recordings are skipped"
+fi
+
+CATKIN_ENABLE_TESTING=ON make_workspace all tests
+use_workspace
+
+results=$workspace/build/test_results
+checks=$workspace/checks
+rm -rf "$results" "$checks"
+mkdir -p "$checks"
+
+# check NAME COMMAND...: one check that counts as one test; its output is shown when it fails.
+check() {
+  local name=$1
+  shift
+  if "$@" >"$checks/$name.log" 2>&1; then
+    echo passed >"$checks/$name.result"
+    printf 'passed  %s\n' "$name"
+  else
+    echo failed >"$checks/$name.result"
+    printf 'FAILED  %s\n' "$name"
+    tail -n 40 "$checks/$name.log"
+  fi
+}
+
+formatted() { git -C "$root" ls-files -z '*.hpp' '*.cpp' | (cd "$root" && xargs -0 clang-format --dry-run --Werror); }
+linted() { catkin_lint --offline --strict -W2 "$root"; }
+tested() { (cd "$workspace/build" && ctest --output-on-failure --timeout 900 "$@"); }
+
+say "checks"
+check layers "$root/scripts/check_layers.py"
+check layer_check_itself /usr/bin/python3 "$root/test/tools/test_check_layers.py"
+check clang_format formatted
+check catkin_lint linted
+
+say "unit tests"
+tested -j2 -E 'rostest' || true
+if [ -z "$fast" ]; then
+  say "rostests"
+  tested -R 'rostest' || true
+  say "install space"
+  check install_space "$root/test/tools/test_install_space.sh"
+fi
+
+/usr/bin/python3 "$root/scripts/lib/count_tests.py" "$results" "$checks"
