@@ -1,8 +1,8 @@
 // The session of one pallet: what is ordered, placed, discarded and decided. Kept in memory.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +10,7 @@
 #include <mixed_palletizing/packing/pallet_state.hpp>
 #include <mixed_palletizing/packing/types.hpp>
 #include <mixed_palletizing/planning/next_pick.hpp>
+#include <mixed_palletizing/planning/session_state.hpp>
 
 namespace mixed_palletizing::planning {
 
@@ -18,8 +19,8 @@ enum class SessionStatus {
   kNoPallet,
   kPalletOpen,
   kBadRequest,
-  kUnknownDecision,
-  kConflict,  ///< the same id with another content
+  kUnknownDecision,  ///< never made, or stale: something was reported or taken back since
+  kConflict,         ///< the same id with another content
   kNothingToUndo,
 };
 
@@ -29,59 +30,70 @@ struct SessionReply {
   bool ok() const { return status == SessionStatus::kOk; }
 };
 
-enum class PickOutcome { kPlaced, kDiscarded, kFailed };
-
 struct PalletSummary {
   std::string pallet_id;
   int placed = 0;
   int discarded = 0;
-  int remaining = 0;
+  int remaining = 0;  ///< neither placed nor discarded when the pallet was closed
   double utilization = 0.0;
   std::array<double, 3> center_of_gravity_mm{};  ///< by volume where weights are not known
+  int decisions = 0;
   double median_decision_ms = 0.0;
   double max_decision_ms = 0.0;
-};
-
-enum class ChooseStatus { kPick, kNoneFits, kOrderComplete, kNoPallet, kBadRequest, kConflict };
-
-struct ChooseReply {
-  ChooseStatus status = ChooseStatus::kPick;
-  std::string message;
-  std::uint64_t decision_id = 0;  ///< of kPick and kNoneFits
-  Decision decision;
 };
 
 /// One pallet from start to close. Every call answers a status and leaves the state unchanged when it
 /// refuses. Not thread safe.
 class PalletSession {
  public:
+  /// Throws std::invalid_argument with every line of problems(options).
   explicit PalletSession(const PlannerOptions& options);
 
+  /// kPalletOpen while another pallet is open, unless `close_open`; kBadRequest with every line of
+  /// problems(order), or for an empty id.
   SessionReply start(const std::string& pallet_id, const packing::Order& order, bool close_open);
 
-  /// The same request_id with the same items gets the same answer until something is reported; an empty id is
-  /// never remembered. Changes neither the pallet nor the order.
+  /// Decides which of `available` (type indices) to pick next. The same request_id with the same items gets
+  /// the same answer until something is reported or taken back; an empty id is never remembered. Changes
+  /// neither the pallet nor the order. `elapsed_ms_of_caller` [ms] is added to the decision's time in the
+  /// summary.
   ChooseReply choose(const std::string& request_id, const std::vector<int>& available,
                      const packing::StopCallback& stop, double elapsed_ms_of_caller = 0.0);
 
-  /// `placement` overrides the planned one when the robot measured another pose. Repeating a report is
-  /// harmless. kDiscarded takes the items at `discarded` (indices in the decision's available list) out of
-  /// the order.
+  /// What became of a decision.
+  /// kPlaced: the box stands at the planned placement, or at `placement` when the robot measured another;
+  /// that one is refused with the rule it breaks (kBadRequest).
+  /// kDiscarded: the items at `discarded` (indices in the decision's available list) leave the order; empty =
+  /// the chosen one, or all of a decision where none fits.
+  /// kFailed: nothing happened, all items are still to come.
+  /// Repeating a report is harmless; the same decision with another report is kConflict.
   SessionReply report(std::uint64_t decision_id, PickOutcome outcome,
                       const std::optional<packing::Placement>& placement,
                       const std::vector<std::size_t>& discarded);
 
+  /// Takes back the last report of a placed or discarded box.
   SessionReply undoLast();
+
+  /// Ends the pallet; `summary` is written when the reply is ok.
   SessionReply close(PalletSummary& summary);
 
-  bool open() const;
-  const packing::PalletState* pallet() const;  ///< null when no pallet is open
-  const packing::Order* order() const;
-  const std::string& palletId() const;
+  bool open() const { return state_.open() != nullptr; }
+  const packing::PalletState* pallet() const;                  ///< null when no pallet is open
+  const packing::Order* order() const;                         ///< null when no pallet is open
+  const std::string& palletId() const;                         ///< empty when no pallet is open
   std::vector<int> remaining() const;                          ///< count per type
   std::vector<int> discarded() const;                          ///< count per type
   std::uint64_t revision() const;                              ///< grows with every change
   std::optional<packing::Placement> pendingPlacement() const;  ///< of the last decision, not yet reported
+  PalletSummary summary() const;                               ///< so far; empty when no pallet is open
+
+ private:
+  PlannerOptions options_;
+  SessionState state_;
 };
+
+/// The word of interfaces for a status: "PICK", "NONE_FITS", "OK", "NO_PALLET", ...
+const char* toString(SessionStatus status);
+const char* toString(ChooseStatus status);
 
 }  // namespace mixed_palletizing::planning

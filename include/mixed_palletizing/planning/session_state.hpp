@@ -1,0 +1,102 @@
+// What a pallet session remembers, changed by events only, so that a journal of the events restores it.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <mixed_palletizing/packing/pallet_state.hpp>
+#include <mixed_palletizing/packing/types.hpp>
+#include <mixed_palletizing/planning/next_pick.hpp>
+
+namespace mixed_palletizing::planning {
+
+enum class PickOutcome { kPlaced, kDiscarded, kFailed };
+
+enum class ChooseStatus { kPick, kNoneFits, kOrderComplete, kNoPallet, kBadRequest, kConflict };
+
+struct ChooseReply {
+  ChooseStatus status = ChooseStatus::kPick;
+  std::string message;
+  std::uint64_t decision_id = 0;  ///< of kPick and kNoneFits, unique in the life of the session
+  Decision decision;
+};
+
+struct PalletStarted {
+  std::string pallet_id;
+  packing::Order order;
+};
+
+struct PickDecided {
+  std::string request_id;
+  std::vector<int> available;
+  ChooseReply reply;
+  double decision_ms = 0.0;
+};
+
+struct PickReported {
+  std::uint64_t decision_id = 0;
+  PickOutcome outcome = PickOutcome::kPlaced;
+  std::optional<packing::Placement> measured;  ///< as reported
+  std::vector<std::size_t> discarded;          ///< as reported: indices in the decision's available list
+};
+
+struct LastUndone {};
+struct PalletClosed {};
+
+using SessionEvent = std::variant<PalletStarted, PickDecided, PickReported, LastUndone, PalletClosed>;
+
+/// One open pallet. All of it follows from the events applied since PalletStarted.
+struct OpenPallet {
+  std::string id;
+  packing::Order order;
+  packing::PalletState pallet;
+  std::vector<int> remaining;         ///< count per type, neither placed nor discarded
+  std::vector<int> discarded;         ///< count per type
+  std::deque<PickDecided> decisions;  ///< not yet reported, oldest first, of the present revision only
+  std::vector<double> decision_ms;    ///< of every decision
+  struct Change {                     ///< one that can be taken back
+    std::uint64_t decision_id = 0;
+    std::vector<int> discarded_types;  ///< empty: a box was placed
+  };
+  std::vector<Change> changes;
+};
+
+class SessionState {
+ public:
+  /// How many decisions of one revision are remembered; the oldest is forgotten first.
+  static constexpr std::size_t kMaxDecisions = 16;
+
+  /// Throws std::invalid_argument when the event cannot follow what was applied before; the state is then as
+  /// it was.
+  void apply(const SessionEvent& event);
+
+  const OpenPallet* open() const { return open_ ? &*open_ : nullptr; }
+
+  /// The remembered decision with this id, null when there is none.
+  const PickDecided* decision(std::uint64_t decision_id) const;
+  /// The report that was accepted for this decision and not taken back, null when there is none. Kept after
+  /// the pallet is closed until the next one starts.
+  const PickReported* report(std::uint64_t decision_id) const;
+
+  std::uint64_t nextDecisionId() const { return next_decision_id_; }
+  std::uint64_t revision() const { return revision_; }
+
+ private:
+  void apply(const PalletStarted& event);
+  void apply(const PickDecided& event);
+  void apply(const PickReported& event);
+  void apply(const LastUndone& event);
+  void apply(const PalletClosed& event);
+
+  std::optional<OpenPallet> open_;
+  std::map<std::uint64_t, PickReported> reports_;
+  std::uint64_t next_decision_id_ = 1;
+  std::uint64_t revision_ = 0;
+};
+
+}  // namespace mixed_palletizing::planning
