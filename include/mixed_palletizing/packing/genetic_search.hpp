@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include <mixed_palletizing/packing/pallet_state.hpp>
@@ -38,7 +39,8 @@ struct SequenceResult {
   double utilization = 0.0;           ///< of the whole pallet, boxes already on it included
 };
 
-/// Packs `sequence` (type indices) on top of `state` by the rule.
+/// Packs `sequence` (type indices) on top of `state` by the rule. Throws std::invalid_argument for an index
+/// outside `types`.
 SequenceResult packSequence(PalletState state, const std::vector<ItemType>& types,
                             const std::vector<int>& sequence, PlacementRule rule);
 
@@ -55,8 +57,10 @@ struct GeneticResult {
 };
 
 /// Searches the order of `items` (type indices) that packs most on top of `state`; stops early when
-/// everything is packed or `stop` says so. `keep` is how many of the best utilizations are returned. `report`
-/// may be empty.
+/// everything is packed or `stop` says so, which is asked before every evaluation but the first. `keep` is
+/// how many of the best utilizations are returned. `stop` and `report` may be empty. The same input and seed
+/// give the same result unless `stop` cuts in. Throws std::invalid_argument for broken options or a type
+/// index outside `types`.
 GeneticResult geneticSearch(const PalletState& state, const std::vector<ItemType>& types,
                             const std::vector<int>& items, const GeneticOptions& options, std::size_t keep,
                             const StopCallback& stop,

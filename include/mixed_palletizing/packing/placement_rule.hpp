@@ -1,6 +1,7 @@
 // Rules that choose where in the supported spaces an item goes.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,10 +20,33 @@ enum class PlacementRule {
 std::optional<PlacementRule> placementRuleFromString(const std::string& word);
 
 /// The place the rule gives an item of `type` (index `type_index`), or std::nullopt when it fits nowhere.
+/// Ties go to the earlier of orientations(type). With full support the place is the rule's best of all valid
+/// ones; below it, of those that cornerPlacements() tries.
 std::optional<Placement> findPlacement(const PalletState& state, const ItemType& type, int type_index,
                                        PlacementRule rule);
 
-/// Every placement of the item at the corner of a supported space nearest to the pallet's origin.
+/// The same for an item given by the sizes in which it may stand: for callers that place many items.
+std::optional<Placement> findPlacement(const PalletState& state, const std::vector<Vec3>& sizes,
+                                       int type_index, PlacementRule rule);
+
+/// Every placement of the item at the corner of a supported space nearest to the pallet's origin, each once.
+/// With a support ratio below 1 also flush with the edges of the tops below, as far as the rules allow.
 std::vector<Placement> cornerPlacements(const PalletState& state, const ItemType& type, int type_index);
+
+/// What is still to be placed, as far as the thesis' pruning rules (3.3.1) need it: the smallest volume, the
+/// smallest height and the smallest side of a footprint over all orientations of the remaining items.
+struct RemainingLimits {
+  std::int64_t volume = 0;  ///< [mm^3]
+  int footprint_side = 0;   ///< [mm]
+  int height = 0;           ///< [mm]
+};
+
+/// `counts[i]` items of `types[i]` remain. With nothing left, limits that no space can hold. Throws
+/// std::invalid_argument when the two differ in size.
+RemainingLimits remainingLimits(const std::vector<ItemType>& types, const std::vector<int>& counts);
+
+/// The spaces that can hold something of what remains by volume and by dimensions. The state itself keeps
+/// every space: a small one may grow into a useful one when a neighbour reaches its height.
+std::vector<Space> usefulSpaces(const PalletState& state, const RemainingLimits& limits);
 
 }  // namespace mixed_palletizing::packing

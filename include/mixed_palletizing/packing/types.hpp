@@ -40,16 +40,29 @@ struct ItemType {
   double max_load_kg = 0.0;  ///< on its top; 0 = no limit
 };
 
-/// The distinct sizes in which a type may be placed, the given orientation first.
+/// The distinct sizes in which a type may be placed, the given orientation first when it is allowed. Without
+/// yaw, an item is laid down about its y side (x side vertical) or its x side (y side vertical).
 std::vector<Vec3> orientations(const ItemType& type);
+
+constexpr int kMaxPalletLength = 20000;  ///< [mm] longest side of a packing volume: a container's
+constexpr int kMaxItems = 100000;        ///< in one order
 
 /// Rules of a pallet.
 struct PalletRules {
-  Vec3 size;    ///< packing volume [mm]
-  int gap = 0;  ///< free space kept beside every box [mm]
-  double min_support_ratio =
-      1.0;  ///< of a box's base area, on the floor or on tops at exactly its base height
+  Vec3 size;  ///< packing volume [mm]
+
+  /// Free space kept beside every box [mm], in x or in y, towards every other box that it stands beside or
+  /// is lowered past; none towards the pallet's border.
+  int gap = 0;
+
+  /// Share of a box's base area on the floor or on tops at exactly its base height, (0, 1]. The area over a
+  /// gap is not supported: with a gap, boxes that bridge two others need a ratio below 1. Below 1 the centre
+  /// of the base must lie over the support, inside the convex hull of the contact area.
+  double min_support_ratio = 1.0;
 };
+
+/// Every broken rule as one line; empty when a pallet can be made by them.
+std::vector<std::string> problems(const PalletRules& rules);
 
 /// A set of items for one pallet: `counts[i]` items of `types[i]`.
 struct Order {

@@ -1,0 +1,120 @@
+// Source: empty supported maximal spaces, thesis 3.3.1.
+// With full support and no gap the packed boxes fill everything below their tops, so the pallet is a height
+// map and a supported maximal space is a maximal rectangle of a level set {height == z}, up to the pallet's
+// height. Placing a box with footprint F from z to z + h is the five-way split: F is cut out of level z
+// (left, right, front, back) and joins level z + h (above, merged with equal tops). Undo is the same with the
+// levels exchanged. With a gap or partial support the levels below the new top lose F widened by the gap, and
+// the level of the top is built anew from the placed boxes.
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include <mixed_palletizing/packing/pallet_state.hpp>
+
+#include "level_spaces.hpp"
+#include "maximal_rectangles.hpp"
+#include "messages.hpp"
+#include "placement_check.hpp"
+
+namespace mixed_palletizing::packing {
+
+namespace {
+
+int topOf(const Placement& placement) { return placement.origin.z + placement.size.z; }
+
+bool holds(const Space& space, const Placement& p) {
+  return space.min.z == p.origin.z && space.min.x <= p.origin.x && space.min.y <= p.origin.y &&
+         p.size.x <= space.max.x - p.origin.x && p.size.y <= space.max.y - p.origin.y &&
+         p.size.z <= space.max.z - p.origin.z;
+}
+
+bool isBox(const Placement& p) { return p.type >= 0 && p.size.x > 0 && p.size.y > 0 && p.size.z > 0; }
+
+}  // namespace
+
+PalletState::PalletState(const PalletRules& rules) : rules_(rules) {
+  throwProblems("PalletState", problems(rules));
+  full_support_ = rules.min_support_ratio == 1.0;
+  spaces_.push_back({{0, 0, 0}, rules.size});
+}
+
+std::string PalletState::whyNot(const Placement& placement) const {
+  return brokenRule(rules_, placements_, placement);
+}
+
+bool PalletState::accepts(const Placement& placement) const {
+  if (!full_support_) return whyNot(placement).empty();
+  return isBox(placement) && std::any_of(spaces_.begin(), spaces_.end(),
+                                         [&](const Space& space) { return holds(space, placement); });
+}
+
+void PalletState::place(const Placement& placement) {
+  if (!accepts(placement)) throw std::invalid_argument("PalletState::place: " + whyNot(placement));
+  placements_.push_back(placement);
+  packed_volume_ += volume(placement.size);
+  addObstacle(placement);
+}
+
+bool PalletState::undo() {
+  if (placements_.empty()) return false;
+  const Placement placement = placements_.back();
+  placements_.pop_back();
+  packed_volume_ -= volume(placement.size);
+  removeObstacle(placement);
+  return true;
+}
+
+double PalletState::utilization() const {
+  return static_cast<double>(packed_volume_) / static_cast<double>(volume(rules_.size));
+}
+
+void PalletState::addObstacle(const Placement& placement) {
+  const Rect footprint = footprintOf(placement);
+  const int top = topOf(placement);
+  LevelSpaces levels(spaces_, rules_.size.z);
+  if (levelsAreIndependent()) {
+    levels.edit(placement.origin.z, [&](std::vector<Rect>& rects) { cutOut(rects, footprint); });
+    if (top < rules_.size.z) {
+      levels.edit(top, [&](std::vector<Rect>& rects) { addRect(rects, footprint); });
+    }
+    return;
+  }
+  const Rect obstacle = widened(footprint, rules_.gap);
+  for (const int z : levels.heights()) {
+    if (z >= top) break;
+    levels.edit(z, [&](std::vector<Rect>& rects) {
+      cutOut(rects, obstacle);
+      dropUnsupported(rects, z, placements_);
+    });
+  }
+  rebuildLevel(top);
+}
+
+void PalletState::removeObstacle(const Placement& placement) {
+  const Rect footprint = footprintOf(placement);
+  const int top = topOf(placement);
+  LevelSpaces levels(spaces_, rules_.size.z);
+  if (levelsAreIndependent()) {
+    if (top < rules_.size.z) {
+      levels.edit(top, [&](std::vector<Rect>& rects) { cutOut(rects, footprint); });
+    }
+    levels.edit(placement.origin.z, [&](std::vector<Rect>& rects) { addRect(rects, footprint); });
+    return;
+  }
+  std::vector<int> heights{0, top};
+  for (const Placement& p : placements_) heights.push_back(topOf(p));
+  std::sort(heights.begin(), heights.end());
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+  for (const int z : heights) {
+    if (z <= top) rebuildLevel(z);
+  }
+}
+
+void PalletState::rebuildLevel(int z) {
+  if (z >= rules_.size.z) return;
+  LevelSpaces(spaces_, rules_.size.z).edit(z, [&](std::vector<Rect>& rects) {
+    rects = supportedRects(rules_, placements_, z);
+  });
+}
+
+}  // namespace mixed_palletizing::packing
