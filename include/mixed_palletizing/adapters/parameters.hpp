@@ -1,0 +1,17 @@
+// A node's private parameters as a tree that OptionReader reads.
+#pragma once
+
+#include <ros/node_handle.h>
+#include <yaml-cpp/yaml.h>
+
+namespace mixed_palletizing::adapters {
+
+/// All parameters in the namespace of `private_node`, as they are on the parameter server now; an empty map
+/// when there is none. Throws std::invalid_argument for a value of a type that no option has (a date, bytes).
+YAML::Node parameterTree(const ros::NodeHandle& private_node);
+
+/// The path with a leading "~/" replaced by the home directory; others stay as they are. Throws
+/// std::invalid_argument when there is no HOME.
+std::string expandPath(const std::string& path);
+
+}  // namespace mixed_palletizing::adapters

@@ -1,0 +1,61 @@
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+#include <XmlRpcValue.h>
+
+#include <mixed_palletizing/adapters/parameters.hpp>
+
+namespace mixed_palletizing::adapters {
+namespace {
+
+YAML::Node toYaml(XmlRpc::XmlRpcValue& value, const std::string& path) {
+  YAML::Node node;
+  switch (value.getType()) {
+    case XmlRpc::XmlRpcValue::TypeBoolean:
+      node = static_cast<bool>(value);
+      break;
+    case XmlRpc::XmlRpcValue::TypeInt:
+      node = static_cast<int>(value);
+      break;
+    case XmlRpc::XmlRpcValue::TypeDouble:
+      node = static_cast<double>(value);
+      break;
+    case XmlRpc::XmlRpcValue::TypeString:
+      node = static_cast<std::string>(value);
+      break;
+    case XmlRpc::XmlRpcValue::TypeArray:
+      node = YAML::Node(YAML::NodeType::Sequence);
+      for (int i = 0; i < value.size(); ++i) {
+        node.push_back(toYaml(value[i], path + "[" + std::to_string(i) + "]"));
+      }
+      break;
+    case XmlRpc::XmlRpcValue::TypeStruct:
+      node = YAML::Node(YAML::NodeType::Map);
+      for (auto& entry : value) node[entry.first] = toYaml(entry.second, path + "/" + entry.first);
+      break;
+    default:
+      throw std::invalid_argument("parameter " + path + " is neither number, text, list nor group");
+  }
+  return node;
+}
+
+}  // namespace
+
+YAML::Node parameterTree(const ros::NodeHandle& private_node) {
+  XmlRpc::XmlRpcValue tree;
+  if (!private_node.getParam(private_node.getNamespace(), tree) ||
+      tree.getType() != XmlRpc::XmlRpcValue::TypeStruct) {
+    return YAML::Node(YAML::NodeType::Map);
+  }
+  return toYaml(tree, private_node.getNamespace());
+}
+
+std::string expandPath(const std::string& path) {
+  if (path.rfind("~/", 0) != 0) return path;
+  const char* home = std::getenv("HOME");
+  if (home == nullptr) throw std::invalid_argument("path " + path + ": the environment has no HOME");
+  return home + path.substr(1);
+}
+
+}  // namespace mixed_palletizing::adapters
