@@ -21,41 +21,53 @@ struct MarkerOptions {
   bool inverted = true;  ///< white on black printed as its negative: look for both ink polarities
 };
 
+/// How far thresholds grow with what the sensor can do. Noise and point spacing are measured in every cloud,
+/// so the lengths below are lower bounds: they hold for a fine sensor and are raised for a coarse one.
+struct NoiseOptions {
+  double sigmas = 4.0;    ///< a threshold covers this many standard deviations of the noise
+  double spacings = 3.0;  ///< and this many distances between neighbours of the grid
+};
+
 /// Clusters above the floor (thesis 3.2.2).
 struct ClusterOptions {
-  double min_height_m = 0.02;         ///< plane removal: lower points belong to the floor
-  double max_height_m = 2.0;          ///< higher points are ignored (robot, lamp)
-  double neighbor_distance_m = 0.02;  ///< Euclidean comparator between grid neighbours
-  int min_points = 400;               ///< smaller components are noise
+  double min_height_m = 0.02;          ///< plane removal: lower points belong to the floor
+  double max_height_m = 2.0;           ///< higher points are ignored (robot, lamp)
+  double neighbor_distance_m = 0.005;  ///< Euclidean comparator between grid neighbours
+  int min_points = 400;                ///< smaller components are noise
 };
 
 /// Top face and its edges (thesis 3.2.2, 4.1.3).
 struct TopOptions {
-  double height_patch_radius_m = 0.05;  ///< patch whose mean is the height
+  double height_patch_radius_m = 0.05;  ///< patch around the centroid whose mean is the height
   double slice_m = 0.001;               ///< height of one slice of the adaptive separation
   double search_depth_m = 0.010;        ///< the slices start this far below the height
   double slice_ratio = 2.0;             ///< th_slice: points of a top slice over points of a side slice
   double min_edge_length_m = 0.015;     ///< th_length of Algorithm 2
   double new_edge_angle_rad = 1.3963;   ///< th_add of Algorithm 2: 80 degrees
   double merge_angle_rad = 0.17453;     ///< th_merge of Algorithm 2: 10 degrees
+  double uneven_m = 0.004;              ///< a top whose surface strays more from a level is UNEVEN_TOP
+  bool refine = true;  ///< fit the rectangle to the whole outline; false: the thesis' edges alone
 };
 
 /// What may be called a box.
 struct BoxOptions {
   double min_side_m = 0.04;
   double max_side_m = 1.5;
-  double min_rectangularity = 0.8;  ///< area of the top's hull over the area of the fitted rectangle
+  double min_rectangularity = 0.8;     ///< area of the top's hull over the area of the fitted rectangle
+  double min_outline_ratio = 0.6;      ///< share of the top's free outline that lies on the rectangle's sides
+  double touching_distance_m = 0.005;  ///< boxes this near to each other are TOUCHING
 };
 
 struct DetectionOptions {
   PlaneOptions plane;
   MarkerOptions marker;
+  NoiseOptions noise;
   ClusterOptions cluster;
   TopOptions top;
   BoxOptions box;
 };
 
-/// Every broken rule as one line "key: what is wrong"; empty when the options can be used.
+/// Every broken rule as one line "section.key: what is wrong"; empty when the options can be used.
 std::vector<std::string> problems(const DetectionOptions& options);
 
 }  // namespace mixed_palletizing::detection
