@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <new>
 #include <stdexcept>
 #include <vector>
 
@@ -13,6 +12,8 @@
 #include <pcl/io/ply_io.h>
 
 #include <mixed_palletizing/adapters/cloud_files.hpp>
+
+#include "cloud_file_headers.hpp"
 
 namespace mixed_palletizing::adapters {
 namespace {
@@ -49,10 +50,16 @@ class QuietPcl {
   pcl::console::VERBOSITY_LEVEL level_;
 };
 
-/// Number of points the PLY header promises: PCL's reader does not notice when fewer follow.
 pcl::PCLPointCloud2 readAny(const std::string& path) {
   const Format format = formatOf(path);
-  if (!std::ifstream(path, std::ios::binary)) fail(path, std::string("cannot open: ") + std::strerror(errno));
+  std::ifstream file(path, std::ios::binary);
+  if (!file) fail(path, std::string("cannot open: ") + std::strerror(errno));
+  file.seekg(0, std::ios::end);
+  const auto bytes = static_cast<std::size_t>(std::max<std::streamoff>(file.tellg(), 0));
+  file.seekg(0);
+  const std::string problem =
+      format == Format::kPcd ? pcdHeaderProblem(file, bytes) : plyHeaderProblem(file, bytes);
+  if (!problem.empty()) fail(path, problem);
   pcl::PCLPointCloud2 cloud;
   int status = -1;
   try {
