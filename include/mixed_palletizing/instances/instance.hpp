@@ -23,7 +23,15 @@ std::vector<std::string> problems(const Instance& instance);
 /// Every item's type in a fixed sequence: the items of type 0, then of type 1, ...
 std::vector<int> expandedItems(const packing::Order& order);
 
-/// The instance's arrival, or the expanded items shuffled by `seed` when it has none.
+/// The type of every item: the arrival, or the expanded items when the instance has none. Results name items
+/// by their index in this list.
+std::vector<int> itemTypes(const Instance& instance);
+
+/// The items (indices in itemTypes()) in the order they arrive: as they are listed when the instance has an
+/// arrival, shuffled by `seed` when it has none.
+std::vector<int> arrivalItems(const Instance& instance, std::uint64_t seed);
+
+/// The types of arrivalItems().
 std::vector<int> arrivalOf(const Instance& instance, std::uint64_t seed);
 
 }  // namespace mixed_palletizing::instances

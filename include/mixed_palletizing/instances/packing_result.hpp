@@ -32,9 +32,12 @@ struct PackingResult {
   std::uint64_t seed = 0;
 };
 
+constexpr double kUtilizationTolerance = 1e-6;  ///< between the stated and the packed utilization
+
 /// Independent check of every placement, written without the packing core's spaces: inside, no overlap,
 /// support, loadable from above, gap, every item once, the stated utilization, and (when `available` is
-/// given) the rules of arrival with n_pick visible. Every fault as one line; empty when the result is valid.
+/// given) the rules of arrival with n_pick visible, as far as everything else is sound. Every fault as one
+/// line; empty when the result is valid. The instance must be sound (problems()).
 std::vector<std::string> checkResult(const Instance& instance, const PackingResult& result);
 
 }  // namespace mixed_palletizing::instances

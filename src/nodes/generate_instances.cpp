@@ -1,0 +1,49 @@
+// Writes random orders with a known perfect packing as JSON lines.
+#include <cstdint>
+#include <fstream>
+#include <stdexcept>
+
+#include <mixed_palletizing/adapters/command_line.hpp>
+#include <mixed_palletizing/instances/files.hpp>
+#include <mixed_palletizing/instances/generator.hpp>
+
+namespace instances = mixed_palletizing::instances;
+
+int main(int argc, char** argv) {
+  instances::GeneratorOptions options;
+  std::vector<int> pallet{options.pallet.x, options.pallet.y};
+  std::string structure = "columns";
+  std::uint64_t seed = 1;
+  int count = 1;
+  std::string out;
+  mixed_palletizing::adapters::CommandLine line(
+      "generate_instances",
+      "Writes random orders whose items fill the pallet without waste, one JSON object a line.");
+  line.required("height_mm", &options.pallet.z, "height of the packing volume [mm]");
+  line.required("out", &out, "file to write");
+  line.option("count", &count, "how many orders");
+  line.option("seed", &seed, "of every random choice");
+  line.option("pallet_mm", &pallet, "length and width of the pallet [mm]");
+  line.option("divisors", &options.footprint_divisors,
+              "shares of the pallet's area: 4 = a quarter; powers of two");
+  line.option("heights", &options.heights, "heights of the items [mm]");
+  line.option("n_pick", &options.n_pick, "items that can be picked at a time");
+  line.choice("structure", &structure, {"columns", "blocks"}, "of the perfect packing");
+  return line.run(argc, argv, [&] {
+    if (pallet.size() != 2)
+      throw std::invalid_argument("--pallet_mm: two numbers are needed, length and width");
+    if (count < 1) throw std::invalid_argument("--count: must be at least 1, not " + std::to_string(count));
+    options.pallet.x = pallet[0];
+    options.pallet.y = pallet[1];
+    options.structure = *instances::packingStructureFromString(structure);
+    const std::vector<std::string> found = instances::problems(options);
+    if (!found.empty()) throw std::invalid_argument(instances::joinFaults(found));
+    std::ofstream file(out);
+    for (int i = 0; i < count && file; ++i) {
+      file << instances::formatInstance(instances::generateInstance(options, seed, i)) << '\n';
+    }
+    file.close();
+    if (!file) throw std::runtime_error(out + ": cannot be written");
+    return 0;
+  });
+}
