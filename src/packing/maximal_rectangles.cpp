@@ -47,6 +47,7 @@ Rect consensusY(const Rect& a, const Rect& b) {
 
 void cutOut(std::vector<Rect>& rects, const Rect& hole) {
   thread_local std::vector<Rect> pieces;
+  if (hole.empty()) return;
   pieces.clear();
   for (std::size_t i = rects.size(); i-- > 0;) {
     const Rect r = rects[i];

@@ -119,6 +119,19 @@ std::optional<Placement> bestOf(const std::vector<Placement>& placements, Placem
   return best == placements.end() ? std::nullopt : std::make_optional(*best);
 }
 
+void checkItem(const std::vector<Vec3>& sizes, int type, const char* function) {
+  if (type < 0) {
+    throw std::invalid_argument(std::string(function) + ": type_index " + std::to_string(type) +
+                                " is negative");
+  }
+  for (const Vec3& size : sizes) {
+    if (size.x > 0 && size.y > 0 && size.z > 0) continue;
+    throw std::invalid_argument(std::string(function) + ": size " + std::to_string(size.x) + " x " +
+                                std::to_string(size.y) + " x " + std::to_string(size.z) +
+                                " mm is not positive");
+  }
+}
+
 }  // namespace
 
 std::optional<PlacementRule> placementRuleFromString(const std::string& word) {
@@ -134,23 +147,16 @@ std::optional<Placement> findPlacement(const PalletState& state, const ItemType&
 
 std::optional<Placement> findPlacement(const PalletState& state, const std::vector<Vec3>& sizes,
                                        int type_index, PlacementRule rule) {
-  if (type_index < 0) {
-    throw std::invalid_argument("findPlacement: type_index " + std::to_string(type_index) + " is negative");
-  }
-  for (const Vec3& size : sizes) {
-    if (size.x <= 0 || size.y <= 0 || size.z <= 0) {
-      throw std::invalid_argument("findPlacement: size " + std::to_string(size.x) + " x " +
-                                  std::to_string(size.y) + " x " + std::to_string(size.z) +
-                                  " mm is not positive");
-    }
-  }
+  checkItem(sizes, type_index, "findPlacement");
   if (!state.fullSupport()) return bestOf(allPlacements(state, sizes, type_index), rule);
   return rule == PlacementRule::kDblf ? deepest(state.spaces(), sizes, type_index)
                                       : nearest(state.spaces(), sizes, type_index);
 }
 
 std::vector<Placement> cornerPlacements(const PalletState& state, const ItemType& type, int type_index) {
-  std::vector<Placement> placements = allPlacements(state, orientations(type), type_index);
+  const std::vector<Vec3> sizes = orientations(type);
+  checkItem(sizes, type_index, "cornerPlacements");
+  std::vector<Placement> placements = allPlacements(state, sizes, type_index);
   const auto key = [](const Placement& p) { return std::make_tuple(dblfKey(p.origin), dblfKey(p.size)); };
   std::sort(placements.begin(), placements.end(),
             [&](const Placement& a, const Placement& b) { return key(a) < key(b); });

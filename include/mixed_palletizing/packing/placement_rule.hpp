@@ -21,7 +21,8 @@ std::optional<PlacementRule> placementRuleFromString(const std::string& word);
 
 /// The place the rule gives an item of `type` (index `type_index`), or std::nullopt when it fits nowhere.
 /// Ties go to the earlier of orientations(type). With full support the place is the rule's best of all valid
-/// ones; below it, of those that cornerPlacements() tries.
+/// ones; below it, of those that cornerPlacements() tries. Throws
+/// std::invalid_argument for a negative index or a size that is not positive.
 std::optional<Placement> findPlacement(const PalletState& state, const ItemType& type, int type_index,
                                        PlacementRule rule);
 

@@ -4,13 +4,41 @@
 #include <algorithm>
 #include <set>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <mixed_palletizing/packing/types.hpp>
 
 namespace mixed_palletizing::packing::test {
 
-/// The boxes on a pallet as voxels of 1 mm; full support.
+using Point = std::pair<int, int>;
+
+/// Strictly inside the convex hull, by Andrew's monotone chain.
+inline bool strictlyInHull(const Point& p, std::vector<Point> points) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) return false;
+  const auto cross = [](const Point& o, const Point& a, const Point& b) {
+    return (a.first - o.first) * (b.second - o.second) - (a.second - o.second) * (b.first - o.first);
+  };
+  std::vector<Point> hull;
+  const auto addChain = [&](auto begin, auto end) {
+    const std::size_t first = hull.size();
+    for (auto q = begin; q != end; ++q) {
+      while (hull.size() >= first + 2 && cross(hull[hull.size() - 2], hull.back(), *q) <= 0) hull.pop_back();
+      hull.push_back(*q);
+    }
+    hull.pop_back();
+  };
+  addChain(points.begin(), points.end());
+  addChain(points.rbegin(), points.rend());
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    if (cross(hull[i], hull[(i + 1) % hull.size()], p) <= 0) return false;
+  }
+  return true;
+}
+
+/// The boxes on a pallet as voxels of 1 mm.
 class VoxelPallet {
  public:
   VoxelPallet(const PalletRules& rules, const std::vector<Placement>& placements) : rules_(rules) {
@@ -31,7 +59,7 @@ class VoxelPallet {
 
   bool overlap() const { return overlap_; }
 
-  /// Everything above the cell from z upwards is empty, in the cell and within the gap around it.
+  /// Everything from z upwards is empty, in the cell and within the gap around it.
   bool freeAbove(int x, int y, int z) const {
     const int g = rules_.gap;
     for (int v = std::max(0, y - g); v <= std::min(rules_.size.y - 1, y + g); ++v) {
@@ -44,7 +72,34 @@ class VoxelPallet {
     return true;
   }
 
-  bool supported(int x, int y, int z) const { return z == 0 || at(x, y, z - 1) >= 0; }
+  /// Something ends exactly below the cell.
+  bool supported(int x, int y, int z) const {
+    return z == 0 || (at(x, y, z - 1) >= 0 && (z == rules_.size.z || at(x, y, z) != at(x, y, z - 1)));
+  }
+
+  /// The rules of a placement by counting voxels.
+  bool accepts(const Placement& p) const {
+    const Vec3& s = rules_.size;
+    if (p.origin.x < 0 || p.origin.y < 0 || p.origin.z < 0 || p.origin.x + p.size.x > s.x ||
+        p.origin.y + p.size.y > s.y || p.origin.z + p.size.z > s.z) {
+      return false;
+    }
+    int carried = 0;
+    std::vector<std::pair<int, int>> contact;
+    for (int x = p.origin.x; x < p.origin.x + p.size.x; ++x) {
+      for (int y = p.origin.y; y < p.origin.y + p.size.y; ++y) {
+        if (!freeAbove(x, y, p.origin.z)) return false;
+        if (!supported(x, y, p.origin.z)) continue;
+        ++carried;
+        for (const int u : {x, x + 1}) {
+          for (const int v : {y, y + 1}) contact.emplace_back(2 * u, 2 * v);
+        }
+      }
+    }
+    const int base = p.size.x * p.size.y;
+    if (carried < rules_.min_support_ratio * base) return false;
+    return carried == base || strictlyInHull({2 * p.origin.x + p.size.x, 2 * p.origin.y + p.size.y}, contact);
+  }
 
   /// Cells [x][y] in which a base at height z may lie.
   std::vector<std::vector<char>> baseCells(int z) const {
@@ -82,11 +137,18 @@ inline bool allSet(const std::vector<std::vector<char>>& cells, int x0, int y0, 
   return true;
 }
 
+/// A full rectangle of cells that can grow to no side.
+inline bool isMaximal(const std::vector<std::vector<char>>& cells, int x0, int y0, int x1, int y1) {
+  return allSet(cells, x0, y0, x1, y1) && !allSet(cells, x0 - 1, y0, x0, y1) &&
+         !allSet(cells, x1, y0, x1 + 1, y1) && !allSet(cells, x0, y0 - 1, x1, y0) &&
+         !allSet(cells, x0, y1, x1, y1 + 1);
+}
+
 using Corners = std::tuple<int, int, int, int, int, int>;
 
 inline Corners corners(const Space& s) { return {s.min.x, s.min.y, s.min.z, s.max.x, s.max.y, s.max.z}; }
 
-/// All supported maximal spaces by their definition: a full rectangle of base cells that grows to no side.
+/// All supported maximal spaces of full support, by their definition.
 inline std::set<Corners> bruteForceSpaces(const PalletRules& rules, const VoxelPallet& voxels) {
   std::set<Corners> spaces;
   for (int z = 0; z < rules.size.z; ++z) {
@@ -96,9 +158,7 @@ inline std::set<Corners> bruteForceSpaces(const PalletRules& rules, const VoxelP
         if (!allSet(cells, x0, y0, x0 + 1, y0 + 1)) continue;
         for (int x1 = x0 + 1; x1 <= rules.size.x && allSet(cells, x1 - 1, y0, x1, y0 + 1); ++x1) {
           for (int y1 = y0 + 1; y1 <= rules.size.y && allSet(cells, x0, y1 - 1, x1, y1); ++y1) {
-            const bool grows = allSet(cells, x0 - 1, y0, x0, y1) || allSet(cells, x1, y0, x1 + 1, y1) ||
-                               allSet(cells, x0, y0 - 1, x1, y0) || allSet(cells, x0, y1, x1, y1 + 1);
-            if (!grows) spaces.insert({x0, y0, z, x1, y1, rules.size.z});
+            if (isMaximal(cells, x0, y0, x1, y1)) spaces.insert({x0, y0, z, x1, y1, rules.size.z});
           }
         }
       }
