@@ -12,7 +12,7 @@ double checkedMillimeters(const char* function, double meters) {
     throw std::invalid_argument(std::string(function) + ": meters: " + std::to_string(meters) +
                                 " m is no length up to 1000 m");
   }
-  return meters * 1000.0;
+  return meters * kMillimetersPerMeter;
 }
 
 }  // namespace
@@ -30,7 +30,5 @@ int millimetersDown(double meters) {
 int millimetersNearest(double meters) {
   return static_cast<int>(std::lround(checkedMillimeters("millimetersNearest", meters)));
 }
-
-double meters(double millimeters) { return millimeters / 1000.0; }
 
 }  // namespace mixed_palletizing::adapters

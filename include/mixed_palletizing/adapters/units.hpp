@@ -3,6 +3,8 @@
 
 namespace mixed_palletizing::adapters {
 
+constexpr double kMillimetersPerMeter = 1000.0;
+
 /// Lengths up to this many metres can be converted: more is a unit mistake.
 constexpr double kMaxLengthM = 1000.0;
 
@@ -24,6 +26,6 @@ int millimetersDown(double meters);
 int millimetersNearest(double meters);
 
 /// Metres of a length in millimetres.
-double meters(double millimeters);
+inline double toMeters(double millimeters) { return millimeters / kMillimetersPerMeter; }
 
 }  // namespace mixed_palletizing::adapters
