@@ -20,9 +20,16 @@ enum class PlanMethod {
 /// Parses "dblf" or "ga"; std::nullopt for another word.
 std::optional<PlanMethod> planMethodFromString(const std::string& word);
 
+/// How two lists of future costs are compared; the thesis leaves it open.
+enum class CostComparison {
+  kLexicographic,  ///< the best cost first, then the second, ...
+  kMean,           ///< the mean of the N_cost best
+};
+
 struct PlannerOptions {
   PlanMethod method = PlanMethod::kGa;
   int n_cost = 8;  ///< N_cost: how many of the best future costs of an item are compared
+  CostComparison comparison = CostComparison::kLexicographic;
   packing::GeneticOptions genetic;
 };
 
@@ -42,7 +49,8 @@ struct Situation {
 struct PickOption {
   bool feasible = false;
   packing::Placement placement;      ///< when feasible
-  std::vector<double> future_costs;  ///< the N_cost best, ascending: 1 - utilization at the end of the order
+  std::vector<double> future_costs;  ///< the N_cost best, ascending: 1 - utilization at the end of the order;
+                                     ///< empty when nothing had to be compared or no time was left
   std::string reason;                ///< why not feasible
 };
 
@@ -51,7 +59,7 @@ struct Decision {
   std::vector<PickOption> options;    ///< one for every available item
 };
 
-/// Decides. Deterministic for the same situation, options and seed unless `stop` cuts the search short; it
+/// Decides. Equal types among the available are judged once. Deterministic for the same situation, options and seed unless `stop` cuts the search short; it
 /// always answers with a feasible choice when one exists, even when `stop` is true from the start. Throws
 /// std::invalid_argument when `available` is not contained in `remaining` or an index is out of range.
 Decision chooseNextPick(const Situation& situation, const PlannerOptions& options, std::uint64_t seed,

@@ -1,0 +1,77 @@
+// Plays the arrival of every order against the planner.
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+
+#include <unistd.h>
+
+#include <mixed_palletizing/adapters/command_line.hpp>
+#include <mixed_palletizing/instances/files.hpp>
+#include <mixed_palletizing/instances/result_summary.hpp>
+#include <mixed_palletizing/planning/play_arrivals.hpp>
+
+namespace instances = mixed_palletizing::instances;
+namespace planning = mixed_palletizing::planning;
+
+namespace {
+
+/// The play in terms of the instance's items.
+instances::PackingResult toResult(const instances::Instance& instance, const planning::PlayResult& play,
+                                  const std::string& method, std::uint64_t seed) {
+  const std::vector<int> items = instances::arrivalItems(instance, seed);
+  const auto item = [&items](int position) { return items[static_cast<std::size_t>(position)]; };
+  instances::PackingResult result;
+  result.name = instance.name;
+  for (const planning::PlayedPlacement& played : play.placements) {
+    instances::ResultPlacement placement{item(played.item), played.placement, {}};
+    for (const int position : played.available) placement.available.push_back(item(position));
+    result.placements.push_back(std::move(placement));
+  }
+  for (const int position : play.unpacked) result.unpacked.push_back(item(position));
+  result.utilization = play.utilization;
+  result.decision_ms = instances::decisionTimes(play.decision_ms);
+  result.method = method;
+  result.seed = seed;
+  return result;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  planning::PlayOptions options;
+  std::string path, out, method = "ga";
+  bool keep_going = false, progress = false;
+  mixed_palletizing::adapters::CommandLine line("plan_picks",
+                                                "Plays arrivals: n_pick boxes visible at a time.");
+  line.required("instances", &path, "orders, one JSON object a line");
+  line.required("out", &out, "results, one JSON object a line");
+  line.choice("method", &method, {"dblf", "ga"}, "of planning");
+  line.option("budget_ms", &options.budget_ms,
+              "per decision; 0 = as many as the iterations take, reproducible");
+  line.option("seed", &options.seed, "of the planner, and of the arrival where an order has none");
+  line.flag("keep-going", &keep_going, "plan the sound orders of a file with faults");
+  line.flag("progress", &progress, "show progress although stderr is no terminal");
+  return line.run(argc, argv, [&] {
+    options.planner.method = *planning::planMethodFromString(method);
+    progress = progress || isatty(STDERR_FILENO) != 0;
+    const instances::InstanceFile file = instances::readInstanceFile(path);
+    if (!keep_going && !file.faults.empty()) throw std::invalid_argument(instances::joinFaults(file.faults));
+    for (const std::string& fault : file.faults) std::cerr << "plan_picks: " << fault << '\n';
+    std::ofstream results(out);
+    instances::ResultSummary summary;
+    for (const instances::Instance& instance : file.instances) {
+      options.n_pick = instance.n_pick;
+      const planning::PlayResult play = planning::playArrivals(
+          instance.order, instances::arrivalOf(instance, options.seed), options, [&](int done, int total) {
+            if (progress) std::cerr << '\r' << instance.name << ' ' << done << '/' << total << "   ";
+          });
+      const instances::PackingResult result = toResult(instance, play, method, options.seed);
+      summary.add(result, play.decision_ms);
+      results << instances::formatResult(result, instance) << std::endl;
+      if (!results) throw std::runtime_error(out + ": cannot be written");
+    }
+    if (progress) std::cerr << '\n';
+    std::cout << summary.text() << '\n';
+    return file.faults.empty() ? 0 : 1;
+  });
+}
