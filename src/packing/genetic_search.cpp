@@ -127,13 +127,14 @@ void GeneticSearch::start() {
 
 /// False when the search has to end before this evaluation.
 bool GeneticSearch::evaluate(Chromosome& chromosome) {
-  if (complete_ || (!evaluated_.empty() && stop_ && stop_())) return false;
+  if (complete_) return false;
   std::vector<int> sequence = sequenceOf(chromosome.genes);
   const auto known = evaluated_.find(sequence);
   if (known != evaluated_.end()) {
     chromosome.fitness = known->second;
     return true;
   }
+  if (!evaluated_.empty() && stop_ && stop_()) return false;
   complete_ = packer_.pack(sequence);
   chromosome.fitness = packer_.state().utilization();
   if (chromosome.fitness > best_fitness_) {

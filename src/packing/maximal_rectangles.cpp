@@ -2,9 +2,8 @@
 // (thesis 3.3.1), both in the plane of one level.
 //   cutOut:  every rectangle that meets the hole leaves up to four pieces (left, right, front, back); pieces
 //            that lie within another rectangle are not maximal and go.
-//   addRect: closure under consensus. Two rectangles that touch or overlap in x share the strip of their
-//   common
-//            y range over both x ranges (and with x and y exchanged). A set closed under both, with contained
+//   addRect: closure under consensus. Two rectangles that touch or overlap in x share the strip of
+//            their common y range over both x ranges (and with x and y exchanged). A set closed under both, with contained
 //            rectangles removed, holds every maximal rectangle of its union: otherwise take the smallest
 //            rectangle of the union that lies in none; halved along a line between two of the set's
 //            coordinates both halves lie in some rectangle, and the consensus of those two contains the
