@@ -14,11 +14,14 @@ struct Capture {
   std::vector<std::uint16_t>
       mask;  ///< row-major: 0 = no box, i + 1 = scene.boxes[i]; also where the cloud has no data
   std::vector<std::size_t> visible_pixels;  ///< per box: pixels of the mask
-  std::vector<double> top_visibility;       ///< per box: seen share of the top face's projection, [0, 1]
+  /// Per box: pixels of its top in the image over those that it would have alone before an unlimited image,
+  /// [0, 1]. Geometry only: pixels without data count as seen.
+  std::vector<double> top_visibility;
 };
 
-/// Cloud of the scene as its camera sees it. The same scene and seed give the same bytes.
-/// Throws std::invalid_argument with every line of problems(scene).
-Capture capture(const Scene& scene, std::uint64_t seed);
+/// Cloud of the scene as its camera sees it, in the optical frame. The same scene and seed give the same
+/// bytes, whatever the number of threads. O(pixels * log(triangles)).
+/// Throws std::invalid_argument with every line of problems(scene), or for threads < 1.
+Capture capture(const Scene& scene, std::uint64_t seed, int threads = 1);
 
 }  // namespace mixed_palletizing::simulation

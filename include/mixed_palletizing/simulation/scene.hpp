@@ -1,7 +1,9 @@
 // A scene of a floor, a marker and boxes, and the camera that looks at it.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +14,7 @@
 namespace mixed_palletizing::simulation {
 
 /// World frame: z up, floor at z = 0; the marker's centre is usually the origin, so that the world is the
-/// base frame.
+/// base frame. Colours are 0xRRGGBB.
 struct Floor {
   double size_x_m = 4.0;  ///< the floor is a rectangle around the origin
   double size_y_m = 4.0;
@@ -20,14 +22,26 @@ struct Floor {
 };
 
 struct Marker {
-  std::string dictionary = "DICT_4X4_50";
+  std::string dictionary = "DICT_4X4_50";  ///< as OpenCV's aruco module names it
   int id = 0;
   double side_m = 0.15;        ///< outer side of the black (inverted: white) border
-  double quiet_zone_m = 0.02;  ///< paper around the border
+  double quiet_zone_m = 0.02;  ///< paper around the border: white (inverted: black)
   bool inverted = true;
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< of the centre on the floor
   double yaw_rad = 0.0;                                  ///< direction from corner 0 to corner 1
 };
+
+/// A painted rectangle on a box's top, given in the box's own x and y; with `down_sides` it runs down every
+/// side of the box whose edge it reaches (a band of tape, a strip of dark print).
+struct BoxLabel {
+  Eigen::Vector2d center_m = Eigen::Vector2d::Zero();
+  Eigen::Vector2d size_m = Eigen::Vector2d(0.1, 0.05);
+  std::uint32_t rgb = 0x101010;
+  bool down_sides = false;
+};
+
+/// Faces of a box: the sides by the direction of their outward normal in the box's own axes.
+enum class BoxFace : std::uint8_t { kMinusX, kPlusX, kMinusY, kPlusY, kBottom, kTop };
 
 struct SceneBox {
   std::string name;
@@ -36,6 +50,8 @@ struct SceneBox {
   double base_z_m = 0.0;                                     ///< height of its underside
   double yaw_rad = 0.0;
   std::uint32_t rgb = 0xb08a5a;
+  std::array<std::optional<std::uint32_t>, 6> face_rgb;  ///< by BoxFace, instead of `rgb`
+  std::vector<BoxLabel> labels;                          ///< a later one covers an earlier one
 };
 
 /// Pinhole camera: optical frame x right, y down, z forward.
@@ -44,12 +60,20 @@ struct Camera {
   int height_px = 1200;
   double horizontal_fov_rad = 0.6815;  ///< Zivid One: 780 mm wide at 1100 mm (thesis 2.1)
   geometry::Pose world_from_camera = geometry::Pose::Identity();
+  /// Place of the projector in the camera's frame [m]: what it does not light has no data. Without it
+  /// everything the camera sees is lit.
+  std::optional<Eigen::Vector3d> projector_m;
 };
 
+/// What the sensor does to the ideal cloud; everything is off by default.
 struct Noise {
-  double depth_stddev_at_1m_m = 0.0;  ///< Gaussian along the ray's depth, growing with depth squared
-  bool no_data_on_black = false;      ///< dark ink (luma below 0.2) gives NaN, as with structured light
-  double dropout_ratio = 0.0;         ///< share of pixels without data at random
+  double depth_stddev_at_1m_m =
+      0.0;                        ///< Gaussian of the depth, growing with the depth squared; along the ray
+  bool no_data_on_black = false;  ///< dark ink (luma below 0.2) gives NaN, as with structured light
+  double dropout_ratio = 0.0;     ///< share of pixels without data at random
+  double flying_pixel_ratio =
+      0.0;                     ///< share of the pixels beside a depth edge that lie between its two sides
+  double depth_edge_m = 0.02;  ///< least difference of depth between neighbours that makes an edge
 };
 
 struct Scene {
@@ -65,7 +89,17 @@ struct Scene {
 /// the camera looks straight down). Throws std::invalid_argument when eye and target coincide.
 geometry::Pose lookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target);
 
-/// Every broken rule as one line "key: what is wrong".
+/// Frame at the centre of the box, along its own axes.
+geometry::Pose worldFromBox(const SceneBox& box);
+
+/// Frame at the marker's centre, z up, x from corner 0 to corner 1: the base frame that a detector should find.
+geometry::Pose worldFromMarker(const Marker& marker);
+
+/// The marker's outer corners in the world, in OpenCV's order (clockwise from the picture's top left).
+std::array<Eigen::Vector3d, 4> markerCorners(const Marker& marker);
+
+/// Every broken rule as one line "key: what is wrong", keys as in a scene file (without the units of angles).
+/// Boxes must not overlap (0.1 mm is allowed), nothing may lie below the floor or hold the camera.
 std::vector<std::string> problems(const Scene& scene);
 
 }  // namespace mixed_palletizing::simulation

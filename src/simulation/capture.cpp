@@ -1,0 +1,160 @@
+// Thesis, appendix A, as ray casting: the objects are moved into the camera's frame (step 1), and the ray of every
+// pixel finds the nearest of them (steps 2 to 4: projection, depth map, merge with occlusion).
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include <mixed_palletizing/simulation/capture.hpp>
+#include <mixed_palletizing/simulation/pinhole.hpp>
+
+#include "parallel_rows.hpp"
+#include "scene_objects.hpp"
+#include "sensor.hpp"
+#include "visibility.hpp"
+
+namespace mixed_palletizing::simulation {
+namespace {
+
+/// Share of the light that comes from everywhere, from a lamp above, and from beside the camera.
+constexpr double kAmbientLight = 0.35;
+constexpr double kLampLight = 0.35;
+constexpr double kCameraLight = 0.3;
+const Eigen::Vector3d kWorldFromLamp(0.35, -0.25, 0.9);  // direction, about unit length
+
+constexpr std::uint32_t kBackground = 0x202020;
+
+/// Ink below this luma (of 1) sends too little of the projector's light back.
+constexpr float kDarkLuma = 0.2f;
+
+float luma(const Eigen::Vector3f& rgb) {
+  return (0.299f * rgb.x() + 0.587f * rgb.y() + 0.114f * rgb.z()) / 255.0f;
+}
+
+std::uint32_t pack(const Eigen::Vector3f& rgb) {
+  const auto byte = [](float value) {
+    return static_cast<std::uint32_t>(std::lround(std::clamp(value, 0.0f, 255.0f)));
+  };
+  return byte(rgb.x()) << 16 | byte(rgb.y()) << 8 | byte(rgb.z());
+}
+
+std::vector<Mesh> meshesOf(const std::vector<SceneObject>& objects) {
+  std::vector<Mesh> meshes;
+  for (const SceneObject& object : objects) meshes.push_back(object.mesh);
+  return meshes;
+}
+
+/// Casts the camera's rays.
+class Renderer {
+ public:
+  explicit Renderer(const Scene& scene)
+      : objects_(buildObjects(scene)),
+        rays_(meshesOf(objects_)),
+        pinhole_(scene.camera),
+        projector_(scene.camera.projector_m),
+        camera_from_lamp_(scene.camera.world_from_camera.linear().transpose() * kWorldFromLamp) {}
+
+  Sample sample(int row, int col) const {
+    const Eigen::Vector3d ray = pinhole_.ray(col, row);
+    const RayHit hit = rays_.trace(ray);
+    Sample sample;
+    sample.rgb = kBackground;
+    if (hit.object < 0) return sample;
+    const Eigen::Vector3f albedo = objects_[static_cast<std::size_t>(hit.object)].surface->albedo(hit, ray);
+    sample.object = hit.object;
+    sample.face = hit.face;
+    sample.depth_m = hit.depth_m;
+    sample.is_dark = luma(albedo) < kDarkLuma;
+    sample.is_lit = !projector_ || isLit(hit, hit.depth_m * ray);
+    sample.rgb = pack(albedo * static_cast<float>(light(hit, ray)));
+    return sample;
+  }
+
+ private:
+  double light(const RayHit& hit, const Eigen::Vector3d& ray) const {
+    const double to_lamp = std::max(0.0, hit.normal.dot(camera_from_lamp_));
+    const double to_camera = std::abs(hit.normal.dot(ray)) / ray.norm();
+    return kAmbientLight + kLampLight * to_lamp + kCameraLight * to_camera;
+  }
+
+  bool isLit(const RayHit& hit, const Eigen::Vector3d& point) const {
+    return hit.normal.dot(*projector_ - point) > 0.0 && !rays_.isBlocked(point, *projector_);
+  }
+
+  std::vector<SceneObject> objects_;
+  RayScene rays_;
+  Pinhole pinhole_;
+  std::optional<Eigen::Vector3d> projector_;
+  Eigen::Vector3d camera_from_lamp_;
+};
+
+/// Mask, visible pixels and visibility of the tops.
+void describeBoxes(const Scene& scene, const std::vector<Sample>& samples, Capture& capture) {
+  const std::size_t boxes = scene.boxes.size();
+  std::vector<std::uint64_t> top_pixels(boxes, 0);
+  capture.mask.assign(samples.size(), 0);
+  capture.visible_pixels.assign(boxes, 0);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (samples[i].object < 1) continue;
+    const auto box = static_cast<std::size_t>(samples[i].object - 1);
+    capture.mask[i] = static_cast<std::uint16_t>(box + 1);
+    ++capture.visible_pixels[box];
+    if (samples[i].face == static_cast<std::uint8_t>(BoxFace::kTop)) ++top_pixels[box];
+  }
+  const Pinhole pinhole(scene.camera);
+  const geometry::Pose camera_from_world = scene.camera.world_from_camera.inverse();
+  for (std::size_t box = 0; box < boxes; ++box) {
+    const std::uint64_t alone = projectedPixels(topCorners(scene.boxes[box], camera_from_world), pinhole);
+    const double seen = alone == 0 ? 0.0 : static_cast<double>(top_pixels[box]) / static_cast<double>(alone);
+    capture.top_visibility.push_back(std::min(1.0, seen));
+  }
+}
+
+void checkArguments(const Scene& scene, int threads) {
+  std::string text;
+  for (const std::string& problem : problems(scene)) text += (text.empty() ? "" : "\n") + problem;
+  if (!text.empty()) throw std::invalid_argument("capture: the scene is broken:\n" + text);
+  if (threads < 1) {
+    throw std::invalid_argument("capture: threads = " + std::to_string(threads) + ", at least 1 needed");
+  }
+}
+
+}  // namespace
+
+Capture capture(const Scene& scene, std::uint64_t seed, int threads) {
+  checkArguments(scene, threads);
+  const int width = scene.camera.width_px;
+  const int height = scene.camera.height_px;
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+
+  const Renderer renderer(scene);
+  std::vector<Sample> samples(pixels);
+  forEachRow(height, threads, [&](int row) {
+    Sample* out = &samples[static_cast<std::size_t>(row) * static_cast<std::size_t>(width)];
+    for (int col = 0; col < width; ++col) *out++ = renderer.sample(row, col);
+  });
+
+  Capture capture;
+  capture.cloud.width = width;
+  capture.cloud.height = height;
+  capture.cloud.points.resize(pixels);
+  const Sensor sensor(scene.noise, width, height, seed);
+  const Pinhole pinhole(scene.camera);
+  forEachRow(height, threads, [&](int row) {
+    const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(width);
+    for (int col = 0; col < width; ++col) {
+      geometry::ColoredPoint& point = capture.cloud.points[first + static_cast<std::size_t>(col)];
+      point.rgba = 0xff000000u | samples[first + static_cast<std::size_t>(col)].rgb;
+      const double depth = sensor.measuredDepth(samples, row, col);
+      if (!std::isfinite(depth)) continue;
+      const Eigen::Vector3f measured = (depth * pinhole.ray(col, row)).cast<float>();
+      point.x = measured.x();
+      point.y = measured.y();
+      point.z = measured.z();
+    }
+  });
+  describeBoxes(scene, samples, capture);
+  return capture;
+}
+
+}  // namespace mixed_palletizing::simulation
