@@ -22,6 +22,7 @@ struct RandomSceneOptions {
   double target_offset_max_m = 0.15;  ///< from the marker's centre to the point it looks at
   double border_px_ratio = 0.01;      ///< boxes and marker keep this share of the width from the border
   double min_top_visibility = 0.0;    ///< every box shows at least this share of its top
+  bool marker_in_sight = true;        ///< no box stands before the marker
   Scene scene;                        ///< everything else: floor, marker, resolution, field of view, noise
 };
 
