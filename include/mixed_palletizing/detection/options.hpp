@@ -10,7 +10,7 @@ namespace mixed_palletizing::detection {
 struct PlaneOptions {
   double distance_m = 0.005;      ///< inlier distance; grown to the measured noise where the sensor is coarse
   double probability = 0.99999;   ///< p_t of eq. 3.4
-  int max_iterations = 2000;      ///< upper bound on eq. 3.4 while the best plane is still small
+  int max_iterations = 5000;      ///< upper bound on eq. 3.4 while the best plane is still small
   double min_inlier_ratio = 0.1;  ///< of the valid points; a smaller plane is no floor
   int seed = 1;
 };

@@ -1,0 +1,144 @@
+#include "plane_ransac.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <sstream>
+#include <vector>
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/sample_consensus/ransac.h>
+#include <pcl/sample_consensus/sac_model_plane.h>
+
+namespace mixed_palletizing::detection {
+namespace {
+
+using Points = pcl::PointCloud<pcl::PointXYZ>;
+
+constexpr std::size_t kSubset = 20000;    // points that hypotheses are counted on
+constexpr int kRounds = 6;                // of least squares
+constexpr double kSigmas = 3.0;           // inlier distance over the spread
+constexpr double kLookSigmas = 2.5;       // inlier distances within which the spread is measured
+constexpr double kSmallestShare = 0.25;   // of the option: the inlier distance never falls below
+constexpr double kLargestShare = 6.0;     // of the option: nor does it rise above
+constexpr double kNormalMedian = 0.6745;  // median of |x| for a standard normal x
+
+bool measured(const Eigen::Vector3f& p) {
+  return p.z() > 0.0f && std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
+
+/// Calls visit(point) for every point with data; returns their number.
+template <typename Visit>
+std::size_t forEachPoint(const geometry::CloudView& cloud, Visit visit) {
+  std::size_t count = 0;
+  for (int row = 0; row < cloud.height; ++row) {
+    for (int col = 0; col < cloud.width; ++col) {
+      const Eigen::Vector3f p = cloud.point(row, col);
+      if (!measured(p)) continue;
+      ++count;
+      visit(p);
+    }
+  }
+  return count;
+}
+
+/// Every n-th point with data, in an order drawn from the seed.
+Points::Ptr drawSubset(const geometry::CloudView& cloud, std::size_t valid, int seed) {
+  const Points::Ptr subset(new Points);
+  const std::size_t stride = std::max<std::size_t>(1, valid / kSubset);
+  std::mt19937 rng(static_cast<std::mt19937::result_type>(seed));
+  std::size_t index = rng() % stride;
+  forEachPoint(cloud, [&](const Eigen::Vector3f& p) {
+    if (index++ % stride == 0) subset->push_back(pcl::PointXYZ(p.x(), p.y(), p.z()));
+  });
+  std::shuffle(subset->begin(), subset->end(), rng);
+  return subset;
+}
+
+/// Best plane of the subset; PCL stops by eq. 3.4.
+std::optional<geometry::Plane> sampleConsensus(const Points::Ptr& subset, const PlaneOptions& options) {
+  if (subset->size() < 3) return std::nullopt;
+  const pcl::SampleConsensusModelPlane<pcl::PointXYZ>::Ptr model(
+      new pcl::SampleConsensusModelPlane<pcl::PointXYZ>(subset));
+  pcl::RandomSampleConsensus<pcl::PointXYZ> ransac(model, options.distance_m);
+  ransac.setProbability(options.probability);
+  ransac.setMaxIterations(options.max_iterations);
+  if (!ransac.computeModel()) return std::nullopt;
+  Eigen::VectorXf coefficients;
+  ransac.getModelCoefficients(coefficients);
+  const Eigen::Vector4d c = coefficients.cast<double>();
+  const double length = c.head<3>().norm();
+  if (!(length > 0.0) || !c.allFinite()) return std::nullopt;
+  return geometry::Plane{c.head<3>() / length, c.w() / length};
+}
+
+/// Robust standard deviation of the subset's distances below `reach`.
+double spread(const Points& subset, const geometry::Plane& plane, double reach) {
+  std::vector<double> distances;
+  for (const pcl::PointXYZ& p : subset) {
+    const double d = std::abs(plane.signedDistance(p.getVector3fMap().cast<double>()));
+    if (d < reach) distances.push_back(d);
+  }
+  if (distances.empty()) return 0.0;
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle / kNormalMedian;
+}
+
+/// Least squares on all inliers, in rounds.
+std::optional<PlaneFit> refine(const geometry::CloudView& cloud, const Points& subset, geometry::Plane plane,
+                               const PlaneOptions& options) {
+  PlaneFit fit;
+  double distance = options.distance_m;
+  for (int round = 0; round < kRounds; ++round) {
+    distance = std::clamp(kSigmas * spread(subset, plane, kLookSigmas * distance),
+                          kSmallestShare * options.distance_m, kLargestShare * options.distance_m);
+    geometry::PlaneAccumulator inliers;
+    fit.valid = forEachPoint(cloud, [&](const Eigen::Vector3f& point) {
+      const Eigen::Vector3d p = point.cast<double>();
+      if (std::abs(plane.signedDistance(p)) < distance) inliers.add(p);
+    });
+    fit.inliers = inliers.count();
+    if (fit.inliers < 3) return std::nullopt;
+    const geometry::PlaneAccumulator::Fit best = inliers.fit();
+    plane = best.plane;
+    fit.rms_m = best.rms_m;
+  }
+  fit.distance_m = distance;
+  fit.plane = plane.facing(Eigen::Vector3d::Zero());
+  return fit;
+}
+
+}  // namespace
+
+PlaneResult findLargestPlane(const geometry::CloudView& cloud, const PlaneOptions& options) {
+  PlaneResult result;
+  const std::size_t valid = forEachPoint(cloud, [](const Eigen::Vector3f&) {});
+  std::ostringstream message;
+  message << "no floor plane: ";
+  if (valid < 3) {
+    message << "the cloud of " << cloud.width << " x " << cloud.height << " has " << valid
+            << " points with data";
+    result.message = message.str();
+    return result;
+  }
+  const Points::Ptr subset = drawSubset(cloud, valid, options.seed);
+  const auto plane = sampleConsensus(subset, options);
+  if (plane) result.fit = refine(cloud, *subset, *plane, options);
+  if (!result.fit) {
+    message << "the " << valid << " points with data hold no plane";
+    result.message = message.str();
+    return result;
+  }
+  const double share = static_cast<double>(result.fit->inliers) / static_cast<double>(valid);
+  if (share < options.min_inlier_ratio) {
+    message << "the largest plane holds " << 100.0 * share << " % of the " << valid
+            << " points with data, less than " << 100.0 * options.min_inlier_ratio << " %";
+    result.message = message.str();
+    result.fit.reset();
+  }
+  return result;
+}
+
+}  // namespace mixed_palletizing::detection
