@@ -30,7 +30,9 @@ constexpr char kPalletMarkers[] = "pallet_markers";
 constexpr char kPointsXyzrgba[] = "points/xyzrgba";
 constexpr char kPointsXyz[] = "points/xyz";
 constexpr char kColorImage[] = "color/image_color";
+constexpr char kColorInfo[] = "color/camera_info";
 constexpr char kDepthImage[] = "depth/image";
+constexpr char kDepthInfo[] = "depth/camera_info";
 constexpr char kCapture[] = "capture";
 constexpr char kIsConnected[] = "is_connected";
 

@@ -1,0 +1,85 @@
+// The detector at the ROS border: clouds in, boxes out, calibration and triggered detection as services.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <ros/spinner.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <mixed_palletizing/BoxArray.h>
+#include <mixed_palletizing/Calibrate.h>
+#include <mixed_palletizing/DetectBoxes.h>
+#include <mixed_palletizing/adapters/base_frame_keeper.hpp>
+#include <mixed_palletizing/adapters/cloud_inbox.hpp>
+#include <mixed_palletizing/adapters/detector_options.hpp>
+#include <mixed_palletizing/adapters/fault_counter.hpp>
+#include <mixed_palletizing/detection/box_detector.hpp>
+
+namespace mixed_palletizing::adapters {
+
+class DetectorOutputs;
+class DetectorDiagnostics;
+
+/// Topics and services of the detector (see docs/ros_api.md). Has threads of its own, one for clouds and some
+/// for services that wait, so that neither blocks the other nor a nodelet manager. No callback lets an
+/// exception out.
+class DetectorServer {
+ public:
+  /// `node`: namespace of the topics, `private_node`: of parameters and services. Throws std::invalid_argument
+  /// with all wrong parameters, std::runtime_error when a calibration that is needed cannot be read.
+  DetectorServer(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
+  ~DetectorServer();
+
+ private:
+  /// The boxes of a cloud, or why there are none.
+  struct Processed {
+    BoxArrayConstPtr boxes;
+    std::uint8_t status = DetectBoxesResponse::OK;
+    std::string message;
+  };
+
+  void onCloud(const sensor_msgs::PointCloud2ConstPtr& message);
+  bool onDetect(DetectBoxesRequest& request, DetectBoxesResponse& response);
+  bool onCalibrate(CalibrateRequest& request, CalibrateResponse& response);
+  void detect(const DetectBoxesRequest& request, DetectBoxesResponse& response);
+  void calibrate(const CalibrateRequest& request, CalibrateResponse& response);
+
+  Processed process(const AcceptedCloud& cloud);
+  Processed detectIn(const AcceptedCloud& cloud);
+  /// The next cloud after arrival `sequence` that is not older than `not_before`; triggers the camera when its
+  /// capture service is known.
+  Arrival awaitCloud(std::uint64_t sequence, double timeout_s, const ros::Time& not_before);
+
+  const DetectorOptions options_;
+  ros::CallbackQueue cloud_queue_;
+  ros::CallbackQueue service_queue_;
+  ros::NodeHandle node_;
+  ros::NodeHandle private_node_;
+  FaultCounter drops_;
+  CloudInbox inbox_;
+  BaseFrameKeeper base_frame_;
+  std::unique_ptr<DetectorOutputs> outputs_;
+  std::unique_ptr<DetectorDiagnostics> diagnostics_;
+  std::mutex calibrating_;
+
+  std::mutex processing_;  // guards the next three
+  detection::BoxDetector detector_;
+  std::uint64_t processed_sequence_ = 0;
+  Processed processed_;
+
+  ros::Publisher marker_image_;
+  ros::Subscriber points_;
+  ros::ServiceServer detect_service_;
+  ros::ServiceServer calibrate_service_;
+  ros::SteadyTimer diagnostics_timer_;
+  ros::AsyncSpinner cloud_spinner_;
+  ros::AsyncSpinner service_spinner_;
+};
+
+}  // namespace mixed_palletizing::adapters

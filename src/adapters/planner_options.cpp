@@ -1,0 +1,84 @@
+#include <cmath>
+
+#include <mixed_palletizing/adapters/option_reader.hpp>
+#include <mixed_palletizing/adapters/planner_options.hpp>
+
+namespace mixed_palletizing::adapters {
+namespace {
+
+constexpr int kMostAvailable = 100000;
+
+void readGenetic(OptionReader reader, packing::GeneticOptions& options) {
+  reader.read("population", options.population);
+  reader.read("elite", options.elite);
+  reader.read("generations", options.generations);
+  reader.read("prob_tournament", options.prob_tournament);
+  reader.read("prob_crossover", options.prob_crossover);
+  reader.read("prob_mutation", options.prob_mutation);
+  reader.readWord<packing::PlacementRule>(
+      "rule", options.rule,
+      {{"dblf", packing::PlacementRule::kDblf}, {"distance", packing::PlacementRule::kDistance}});
+  reader.read("seed", options.seed);
+}
+
+/// The broken rules of a nested struct, named by where it stands.
+void append(const std::string& prefix, const std::vector<std::string>& more, std::vector<std::string>& all) {
+  for (const std::string& line : more) all.push_back(prefix + line);
+}
+
+}  // namespace
+
+std::vector<std::string> problems(const PickPlannerOptions& options) {
+  std::vector<std::string> all;
+  const auto require = [&](bool holds, const std::string& key, double value, const std::string& what) {
+    if (!holds) all.push_back(key + ": " + std::to_string(value) + " " + what);
+  };
+  if (options.pallet_frame.empty()) all.push_back("pallet_frame: a name is needed");
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
+  const auto not_negative = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  require(positive(options.time_budget_s), "time_budget_s", options.time_budget_s, "s is not positive");
+  require(options.max_available >= 1 && options.max_available <= kMostAvailable, "max_available",
+          options.max_available, "is not within 1 and " + std::to_string(kMostAvailable));
+  require(not_negative(options.position_tolerance_m), "position_tolerance_m", options.position_tolerance_m,
+          "m is negative");
+  require(not_negative(options.angle_tolerance_rad) && options.angle_tolerance_rad < M_PI / 4,
+          "angle_tolerance_rad", options.angle_tolerance_rad, "rad is not within 0 and 45 degrees");
+  require(not_negative(options.matching.tolerance_mm), "matching.tolerance_mm", options.matching.tolerance_mm,
+          "mm is negative");
+  require(not_negative(options.matching.sigmas), "matching.sigmas", options.matching.sigmas, "is negative");
+  append("planner.", problems(options.planner), all);
+  require(positive(options.plan.time_budget_s), "plan.time_budget_s", options.plan.time_budget_s,
+          "s is not positive");
+  append("plan.genetic.", problems(options.plan.genetic), all);
+  return all;
+}
+
+PickPlannerOptions readPickPlannerOptions(const YAML::Node& tree) {
+  PickPlannerOptions options;
+  OptionReader reader(tree);
+  reader.read("pallet_frame", options.pallet_frame);
+  reader.read("time_budget_s", options.time_budget_s);
+  reader.read("max_available", options.max_available);
+  reader.read("position_tolerance_m", options.position_tolerance_m);
+  reader.read("angle_tolerance_rad", options.angle_tolerance_rad);
+  OptionReader matching = reader.section("matching");
+  matching.read("tolerance_mm", options.matching.tolerance_mm);
+  matching.read("sigmas", options.matching.sigmas);
+  OptionReader planner = reader.section("planner");
+  planner.readWord<planning::PlanMethod>(
+      "method", options.planner.method,
+      {{"dblf", planning::PlanMethod::kDblf}, {"ga", planning::PlanMethod::kGa}});
+  planner.read("n_cost", options.planner.n_cost);
+  planner.readWord<planning::CostComparison>("comparison", options.planner.comparison,
+                                             {{"lexicographic", planning::CostComparison::kLexicographic},
+                                              {"mean", planning::CostComparison::kMean}});
+  readGenetic(planner.section("genetic"), options.planner.genetic);
+  OptionReader plan = reader.section("plan");
+  plan.read("time_budget_s", options.plan.time_budget_s);
+  readGenetic(plan.section("genetic"), options.plan.genetic);
+  reader.add(problems(options));
+  reader.finish("parameters of the pick planner");
+  return options;
+}
+
+}  // namespace mixed_palletizing::adapters

@@ -1,0 +1,101 @@
+#include <exception>
+#include <utility>
+
+#include <ros/console.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <mixed_palletizing/adapters/markers.hpp>
+#include <mixed_palletizing/adapters/names.hpp>
+#include <mixed_palletizing/adapters/pallet_messages.hpp>
+#include <mixed_palletizing/adapters/parameters.hpp>
+#include <mixed_palletizing/adapters/planner_server.hpp>
+
+#include "plan_pallet_server.hpp"
+#include "planner_status.hpp"
+
+namespace mixed_palletizing::adapters {
+
+PlannerServer::PlannerServer(const ros::NodeHandle& private_node)
+    : options_(readPickPlannerOptions(parameterTree(private_node))),
+      node_(private_node),
+      session_(options_.planner),
+      state_publisher_(node_.advertise<PalletState>(names::kPalletState, 1, true)),
+      markers_publisher_(node_.advertise<visualization_msgs::MarkerArray>(names::kPalletMarkers, 1, true)) {
+  publishState();
+  plan_pallet_ = std::make_unique<PlanPalletServer>(node_, options_, session_mutex_, session_);
+  services_ = {node_.advertiseService(names::kStartPallet, &PlannerServer::onStart, this),
+               node_.advertiseService(names::kChooseNextPick, &PlannerServer::onChoose, this),
+               node_.advertiseService(names::kReportPick, &PlannerServer::onReport, this),
+               node_.advertiseService(names::kUndoLast, &PlannerServer::onUndo, this),
+               node_.advertiseService(names::kGetPalletState, &PlannerServer::onGetState, this),
+               node_.advertiseService(names::kClosePallet, &PlannerServer::onClose, this)};
+}
+
+PlannerServer::~PlannerServer() = default;
+
+bool PlannerServer::onStart(StartPalletRequest& request, StartPalletResponse& response) {
+  return guarded("start_pallet", response, [&] {
+    const ReadOrder read = readOrder({request.size, request.order, request.gap, request.min_support_ratio});
+    std::lock_guard<std::mutex> lock(session_mutex_);
+    response.revision = session_.revision();
+    if (!read.problems.empty()) {
+      response.status = StartPalletResponse::BAD_REQUEST;
+      for (const auto& line : read.problems)
+        response.message += (response.message.empty() ? "" : "; ") + line;
+      return;
+    }
+    fill(session_.start(request.pallet_id, read.order, request.close_open != 0), session_.revision(),
+         response);
+    if (response.status != StartPalletResponse::OK) return;
+    ROS_INFO_STREAM("pallet '" << request.pallet_id << "' started: " << read.order.itemCount() << " boxes of "
+                               << read.order.types.size() << " types");
+    publishState();
+  });
+}
+
+bool PlannerServer::onUndo(UndoLastRequest&, UndoLastResponse& response) {
+  return guarded("undo_last", response, [&] {
+    std::lock_guard<std::mutex> lock(session_mutex_);
+    const planning::SessionReply reply = session_.undoLast();
+    fill(reply, session_.revision(), response);
+    if (reply.ok()) publishState();
+  });
+}
+
+bool PlannerServer::onGetState(GetPalletStateRequest&, GetPalletStateResponse& response) {
+  std::lock_guard<std::mutex> lock(state_mutex_);
+  response.state = state_;
+  const bool is_open = state_.is_open != 0;
+  response.status = is_open ? GetPalletStateResponse::OK : GetPalletStateResponse::NO_PALLET;
+  response.message = is_open ? "" : "no pallet is open";
+  return true;
+}
+
+bool PlannerServer::onClose(ClosePalletRequest&, ClosePalletResponse& response) {
+  return guarded("close_pallet", response, [&] {
+    std::lock_guard<std::mutex> lock(session_mutex_);
+    planning::PalletSummary summary;
+    const planning::SessionReply reply = session_.close(summary);
+    response.status = codeOf(reply.status);
+    response.message = reply.message;
+    if (!reply.ok()) return;
+    response.summary = toMessage(summary);
+    publishState();
+  });
+}
+
+void PlannerServer::publishState() {
+  PalletState state = toMessage(session_);
+  state.header.frame_id = options_.pallet_frame;
+  state.header.stamp = ros::Time::now();
+  if (state.has_pending != 0 && !decided_.empty()) {
+    state.pending_decision_id = decided_.back().decision_id;
+    state.pending = decided_.back().message;
+  }
+  state_publisher_.publish(state);
+  markers_publisher_.publish(palletMarkers(state));
+  std::lock_guard<std::mutex> lock(state_mutex_);
+  state_ = std::move(state);
+}
+
+}  // namespace mixed_palletizing::adapters
