@@ -125,8 +125,9 @@ Scene readScene(YamlSection file) {
 YAML::Node parse(const std::string& path) {
   std::ifstream file(path);
   std::ostringstream text;
-  if (file) text << file.rdbuf();
-  if (!file || !text) throw std::runtime_error(path + ": cannot read: " + std::strerror(errno));
+  if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();  // an empty file is a sound one
+  if (!file.is_open() || file.bad())
+    throw std::runtime_error(path + ": cannot read: " + std::strerror(errno));
   try {
     return YAML::Load(text.str());
   } catch (const YAML::ParserException& error) {

@@ -1,0 +1,35 @@
+// Small images and random scenes for the tests of the simulation.
+#pragma once
+
+#include <cstdint>
+
+#include <mixed_palletizing/simulation/random_scene.hpp>
+
+namespace mixed_palletizing::simulation {
+
+/// Random scene without noise, seen in `width` x (5/8 width) pixels.
+inline Scene smallScene(std::uint64_t seed, int width = 320) {
+  RandomSceneOptions options;
+  options.scene.camera.width_px = width;
+  options.scene.camera.height_px = width * 5 / 8;
+  options.boxes_min = 3;
+  return randomScene(options, seed);
+}
+
+/// Floor alone, seen from straight above.
+inline Scene bareFloor(double height_m, int width = 320) {
+  Scene scene;
+  scene.has_marker = false;
+  scene.floor.size_x_m = scene.floor.size_y_m = 20.0;
+  scene.camera.width_px = width;
+  scene.camera.height_px = width * 5 / 8;
+  scene.camera.world_from_camera = lookAt({0, 0, height_m}, {0, 0, 0});
+  return scene;
+}
+
+inline std::size_t pixelIndex(const Scene& scene, int row, int col) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(scene.camera.width_px) +
+         static_cast<std::size_t>(col);
+}
+
+}  // namespace mixed_palletizing::simulation

@@ -1,0 +1,102 @@
+// Truth and mask files say what the capture and the scene hold.
+#include <array>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include <mixed_palletizing/simulation/truth_files.hpp>
+
+#include "small_scenes.hpp"
+#include "temporary_folder.hpp"
+
+namespace mixed_palletizing::simulation {
+namespace {
+
+using nlohmann::json;
+
+class TruthFiles : public TemporaryFolder {};
+
+Eigen::Vector3d toVector(const json& numbers) {
+  const std::array<double, 3> v = numbers;
+  return {v[0], v[1], v[2]};
+}
+
+TEST_F(TruthFiles, SayWhatIsThere) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Scene scene = smallScene(seed);
+    scene.marker.position_m = {0.01, 0.02};
+    scene.marker.yaw_rad = 0.4;
+    const Capture result = capture(scene, seed);
+    writeTruth(path("t.json"), scene, result, seed);
+    const json truth = json::parse(read(path("t.json")));
+    EXPECT_EQ(truth.at("seed"), seed);
+    for (int row = 0; row < 4; ++row) {
+      for (int col = 0; col < 4; ++col) {
+        const double value =
+            truth.at("world_from_camera").at(static_cast<std::size_t>(row)).at(static_cast<std::size_t>(col));
+        EXPECT_EQ(value, scene.camera.world_from_camera.matrix()(row, col));
+      }
+    }
+    ASSERT_EQ(truth.at("boxes").size(), scene.boxes.size());
+    for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
+      const json& box = truth.at("boxes").at(i);
+      const Eigen::Vector3d size = toVector(box.at("size"));
+      EXPECT_GE(size.x(), size.y());
+      EXPECT_NEAR(size.prod(), scene.boxes[i].size_m.prod(), 1e-12);
+      EXPECT_EQ(toVector(box.at("center")).z(), 0.5 * scene.boxes[i].size_m.z());
+      EXPECT_TRUE((toVector(box.at("top_center")) - toVector(box.at("center")))
+                      .isApprox(Eigen::Vector3d(0, 0, 0.5 * size.z())));
+      const double yaw = box.at("yaw");
+      EXPECT_TRUE(yaw >= -1.5707963267948968 && yaw < 1.5707963267948968) << yaw;
+      const Eigen::Vector3d end =
+          worldFromBox(scene.boxes[i]).inverse() *
+          (toVector(box.at("center")) + 0.5 * size.x() * Eigen::Vector3d(std::cos(yaw), std::sin(yaw), 0.0));
+      EXPECT_NEAR(end.cwiseAbs().maxCoeff(), 0.5 * size.x(), 1e-9);  // the length runs along the yaw
+      EXPECT_EQ(box.at("visible_pixels"), result.visible_pixels[i]);
+      EXPECT_EQ(box.at("top_visibility"), result.top_visibility[i]);
+      EXPECT_EQ(box.at("name"), scene.boxes[i].name);
+    }
+  }
+}
+
+TEST_F(TruthFiles, BaseFrameIsTheMarkers) {
+  Scene scene = smallScene(1);
+  scene.marker.position_m = {0.01, 0.02};
+  const Capture result = capture(scene, 1);
+  const json with_marker = json::parse(truthJson(scene, result, 1));
+  const double x = with_marker.at("base_from_camera").at(0).at(3);
+  EXPECT_NEAR(x, scene.camera.world_from_camera.translation().x() - 0.01, 1e-12);
+  scene.has_marker = false;
+  scene.boxes[0].name = "";
+  const json without = json::parse(truthJson(scene, result, 1));
+  EXPECT_TRUE(without.at("base_from_camera").is_null());
+  EXPECT_EQ(without.at("boxes").at(0).at("name"), "box_1");
+}
+
+TEST_F(TruthFiles, MaskComesBackAsWritten) {
+  const Scene scene = smallScene(2);
+  const Capture result = capture(scene, 2);
+  writeMask(path("m.png"), result);
+  const cv::Mat mask = cv::imread(path("m.png"), cv::IMREAD_UNCHANGED);
+  ASSERT_EQ(mask.type(), CV_16UC1);
+  ASSERT_EQ(mask.cols, scene.camera.width_px);
+  ASSERT_EQ(mask.rows, scene.camera.height_px);
+  for (int row = 0; row < mask.rows; ++row) {
+    for (int col = 0; col < mask.cols; ++col) {
+      ASSERT_EQ(mask.at<std::uint16_t>(row, col), result.mask[pixelIndex(scene, row, col)]);
+    }
+  }
+}
+
+TEST_F(TruthFiles, SayWhenTheyCannotBeWritten) {
+  const Scene scene = smallScene(1, 64);
+  const Capture result = capture(scene, 1);
+  EXPECT_THROW(writeTruth(path("no/t.json"), scene, result, 1), std::runtime_error);
+  EXPECT_THROW(writeMask(path("no/m.png"), result), std::runtime_error);
+  EXPECT_THROW(writeMask(path("m.jpg"), result), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace mixed_palletizing::simulation
