@@ -12,7 +12,7 @@ namespace instances = mixed_palletizing::instances;
 int main(int argc, char** argv) {
   instances::GeneratorOptions options;
   std::vector<int> pallet{options.pallet.x, options.pallet.y};
-  std::string structure = "columns";
+  std::string structure = "blocks";
   std::uint64_t seed = 1;
   int count = 1;
   std::string out;
@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
               "shares of the pallet's area: 4 = a quarter; powers of two");
   line.option("heights", &options.heights, "heights of the items [mm]");
   line.option("n_pick", &options.n_pick, "items that can be picked at a time");
-  line.choice("structure", &structure, {"columns", "blocks"}, "of the perfect packing");
+  line.choice("structure", &structure, {"blocks", "columns"}, "of the perfect packing");
   return line.run(argc, argv, [&] {
     if (pallet.size() != 2)
       throw std::invalid_argument("--pallet_mm: two numbers are needed, length and width");

@@ -88,7 +88,7 @@ class GeneticSearch {
   std::map<std::vector<int>, double> evaluated_;
   std::vector<int> best_sequence_;
   double best_fitness_ = -1.0;
-  bool complete_ = false;  ///< some sequence packed everything
+  bool complete_ = false;  ///< some sequence packed everything and that is enough
 };
 
 std::vector<int> GeneticSearch::sequenceOf(const Genes& genes) const {
@@ -135,7 +135,7 @@ bool GeneticSearch::evaluate(Chromosome& chromosome) {
     return true;
   }
   if (!evaluated_.empty() && stop_ && stop_()) return false;
-  complete_ = packer_.pack(sequence);
+  complete_ = packer_.pack(sequence) && options_.stop_when_complete;
   chromosome.fitness = packer_.state().utilization();
   if (chromosome.fitness > best_fitness_) {
     best_fitness_ = chromosome.fitness;

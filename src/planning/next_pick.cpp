@@ -2,8 +2,10 @@
 // 1. Every available item is placed temporarily by DBLF; those that fit nowhere keep the reason.
 // 2. A genetic search over the items that then remain, their order taken as free, keeps the N_cost best
 //    utilizations; the costs of the item are 1 - utilization.
-// 3. The item with the best costs is picked. Costs are compared from the best on; what is equal in all of
-//    them is decided for the larger item, then for the one that came first.
+// 3. The item with the best costs is picked. The thesis leaves open how lists of costs are compared; here from
+//    the best cost on, what is equal in all of them is decided for the larger item, then for the one that came
+//    first. Over 600 orders each of 600 and 1200 mm this packed 58.0 and 35.7 % perfectly, the mean of the
+//    costs 56.8 and 36.8 %: no difference beyond chance, and a list can be explained by its first difference.
 // When so few items remain that all their sequences can be tried with the effort of the search, they are: the
 // costs of the last boxes are exact. Every placement is made on a pallet that holds all before it (the thesis
 // placed its last three boxes at one place, 4.2.5).
@@ -56,6 +58,8 @@ std::vector<double> futureCosts(const Situation& situation, const packing::Place
                       static_cast<std::size_t>(options.genetic.generations + 1);
   if (sequenceCount(items, effort) <= effort) return exactCosts(pallet, situation, items, options);
   packing::GeneticOptions genetic = options.genetic;
+  genetic.stop_when_complete =
+      false;            // of two complete futures, the one with more complete sequences is safer
   genetic.seed = seed;  // the same for all candidates, so that they differ by themselves and not by luck
   const packing::GeneticResult found = packing::geneticSearch(pallet, situation.types, items, genetic,
                                                               static_cast<std::size_t>(options.n_cost), stop);
@@ -71,7 +75,13 @@ bool costsLess(const std::vector<double>& a, const std::vector<double>& b, CostC
     };
     return mean(a) < mean(b);
   }
-  return a < b;
+  // A list may be shorter when its item has fewer sequences left; its last cost stands for the missing ones.
+  for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
+    const double cost_a = a[std::min(i, a.size() - 1)];
+    const double cost_b = b[std::min(i, b.size() - 1)];
+    if (cost_a != cost_b) return cost_a < cost_b;
+  }
+  return false;
 }
 
 /// Index of the available item that the costs favour; those without costs come last.

@@ -24,7 +24,7 @@ struct GeneratorOptions {
   packing::Vec3 pallet{1200, 800, 600};
   std::vector<int> footprint_divisors{4, 8, 16};  ///< powers of two: 4 = a quarter of the pallet's area
   std::vector<int> heights{300, 200, 100};        ///< [mm]
-  PackingStructure structure = PackingStructure::kColumns;
+  PackingStructure structure = PackingStructure::kBlocks;
   int n_pick = 3;
 };
 

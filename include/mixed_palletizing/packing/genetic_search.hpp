@@ -26,6 +26,7 @@ struct GeneticOptions {
   double prob_mutation = 0.5;     ///< prob_m: an offspring has two genes swapped
   PlacementRule rule = PlacementRule::kDblf;
   std::uint64_t seed = 1;
+  bool stop_when_complete = true;  ///< end as soon as a sequence packs everything
 };
 
 std::vector<std::string> problems(const GeneticOptions& options);
