@@ -16,7 +16,7 @@ CORE_ROOMS = {
     'packing': (('geometry',), ()),
     'planning': (('packing', 'geometry'), ('sqlite3.h', 'nlohmann/')),
     'instances': (('packing', 'geometry'), ('nlohmann/',)),
-    'simulation': (('geometry',), ('Eigen/', 'embree3/', 'assimp/', 'opencv2/', 'yaml-cpp/')),
+    'simulation': (('geometry',), ('Eigen/', 'embree3/', 'assimp/', 'opencv2/', 'yaml-cpp/', 'nlohmann/')),
 }
 JOINING_ROOMS = ('adapters', 'nodes')
 
