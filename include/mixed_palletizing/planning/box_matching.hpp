@@ -20,6 +20,8 @@ struct MatchingOptions {
   double sigmas = 3.0;         ///< or by this many standard deviations
 };
 
+std::vector<std::string> problems(const MatchingOptions& options);
+
 enum class MatchStatus { kMatched, kUnknown, kAmbiguous };
 
 struct BoxMatch {
@@ -31,7 +33,8 @@ struct BoxMatch {
 
 /// Compares with every type that has items left, standing on each side its rotations allow and turned about
 /// the vertical at will (the robot grips it at any yaw). Two types within tolerance are ambiguous unless they
-/// pack alike.
+/// pack alike; of those that do, the first is matched. A measurement that is not positive and finite is
+/// unknown. Throws std::invalid_argument when `remaining` is not one count per type.
 BoxMatch matchBox(const MeasuredBox& box, const std::vector<packing::ItemType>& types,
                   const std::vector<int>& remaining, const MatchingOptions& options);
 

@@ -87,11 +87,11 @@ class SessionState {
   std::uint64_t revision() const { return revision_; }
 
  private:
-  void apply(const PalletStarted& event);
-  void apply(const PickDecided& event);
-  void apply(const PickReported& event);
-  void apply(const LastUndone& event);
-  void apply(const PalletClosed& event);
+  void on(const PalletStarted& event);
+  void on(const PickDecided& event);
+  void on(const PickReported& event);
+  void on(const LastUndone& event);
+  void on(const PalletClosed& event);
 
   std::optional<OpenPallet> open_;
   std::map<std::uint64_t, PickReported> reports_;

@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+#include <mixed_palletizing/planning/session_state.hpp>
+
+#include "candidates.hpp"
+
+namespace mixed_palletizing::planning {
+namespace {
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw std::invalid_argument("SessionState::apply: " + why);
+}
+
+/// The available items (indices) that a kDiscarded report takes out of the order.
+std::vector<std::size_t> discardedItems(const PickDecided& decided, const PickReported& event) {
+  if (!event.discarded.empty()) return event.discarded;
+  if (decided.reply.decision.chosen) return {*decided.reply.decision.chosen};
+  std::vector<std::size_t> all(decided.available.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+}  // namespace
+
+void SessionState::apply(const SessionEvent& event) {
+  std::visit([this](const auto& e) { on(e); }, event);
+}
+
+void SessionState::on(const PalletStarted& event) {
+  if (open_) refuse("pallet '" + open_->id + "' is open");
+  const std::vector<std::string> found = problems(event.order);
+  if (!found.empty()) refuse(found.front());
+  open_ = OpenPallet{event.pallet_id,
+                     event.order,
+                     packing::PalletState(event.order.rules),
+                     event.order.counts,
+                     std::vector<int>(event.order.counts.size(), 0),
+                     {},
+                     {},
+                     {}};
+  reports_.clear();
+  ++revision_;
+}
+
+void SessionState::on(const PickDecided& event) {
+  if (!open_) refuse("no pallet is open");
+  if (event.reply.decision_id != next_decision_id_) {
+    refuse("decision " + std::to_string(event.reply.decision_id) + ", " + std::to_string(next_decision_id_) +
+           " is next");
+  }
+  const std::string problem = availableProblem(event.available, open_->remaining);
+  if (!problem.empty()) refuse(problem);
+  const Decision& decision = event.reply.decision;
+  if (decision.options.size() != event.available.size() ||
+      (decision.chosen && *decision.chosen >= event.available.size())) {
+    refuse("decision " + std::to_string(event.reply.decision_id) + " does not fit its available items");
+  }
+  open_->decisions.push_back(event);
+  if (open_->decisions.size() > kMaxDecisions) open_->decisions.pop_front();
+  open_->decision_ms.push_back(event.decision_ms);
+  ++next_decision_id_;
+}
+
+void SessionState::on(const PickReported& event) {
+  const PickDecided* decided = decision(event.decision_id);
+  if (decided == nullptr) refuse("decision " + std::to_string(event.decision_id) + " is not open");
+  OpenPallet::Change change{event.decision_id, {}};
+  if (event.outcome == PickOutcome::kPlaced) {
+    const std::optional<std::size_t> chosen = decided->reply.decision.chosen;
+    if (!chosen) refuse("decision " + std::to_string(event.decision_id) + " chose nothing to place");
+    const packing::Placement placement =
+        event.measured ? *event.measured : decided->reply.decision.options[*chosen].placement;
+    if (placement.type != decided->available[*chosen]) refuse("the measured box is of another type");
+    open_->pallet.place(placement);
+    --open_->remaining[static_cast<std::size_t>(placement.type)];
+  } else if (event.outcome == PickOutcome::kDiscarded) {
+    for (const std::size_t item : discardedItems(*decided, event)) {
+      if (item >= decided->available.size()) refuse("discarded item " + std::to_string(item));
+      change.discarded_types.push_back(decided->available[item]);
+    }
+    const std::string problem = availableProblem(change.discarded_types, open_->remaining);
+    if (!problem.empty()) refuse("discarded " + problem);
+    for (const int type : change.discarded_types) {
+      --open_->remaining[static_cast<std::size_t>(type)];
+      ++open_->discarded[static_cast<std::size_t>(type)];
+    }
+  }
+  reports_[event.decision_id] = event;
+  open_->decisions.clear();
+  if (event.outcome == PickOutcome::kFailed) return;
+  open_->changes.push_back(std::move(change));
+  ++revision_;
+}
+
+void SessionState::on(const LastUndone&) {
+  if (!open_ || open_->changes.empty()) refuse("nothing to take back");
+  const OpenPallet::Change& change = open_->changes.back();
+  if (change.discarded_types.empty()) {
+    ++open_->remaining[static_cast<std::size_t>(open_->pallet.placements().back().type)];
+    open_->pallet.undo();
+  }
+  for (const int type : change.discarded_types) {
+    ++open_->remaining[static_cast<std::size_t>(type)];
+    --open_->discarded[static_cast<std::size_t>(type)];
+  }
+  reports_.erase(change.decision_id);
+  open_->changes.pop_back();
+  open_->decisions.clear();
+  ++revision_;
+}
+
+void SessionState::on(const PalletClosed&) {
+  if (!open_) refuse("no pallet is open");
+  open_.reset();
+  ++revision_;
+}
+
+const PickDecided* SessionState::decision(std::uint64_t decision_id) const {
+  if (!open_) return nullptr;
+  for (const PickDecided& decided : open_->decisions) {
+    if (decided.reply.decision_id == decision_id) return &decided;
+  }
+  return nullptr;
+}
+
+const PickReported* SessionState::report(std::uint64_t decision_id) const {
+  const auto found = reports_.find(decision_id);
+  return found == reports_.end() ? nullptr : &found->second;
+}
+
+}  // namespace mixed_palletizing::planning
