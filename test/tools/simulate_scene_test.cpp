@@ -1,0 +1,96 @@
+// The tool simulate_scene, run as a user runs it.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <mixed_palletizing/adapters/cloud_files.hpp>
+
+namespace {
+
+class SimulateScene : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() /
+              ("mixed_palletizing_simulate_scene_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  std::string read(const std::string& name) const {
+    std::ifstream file(path(name), std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+
+  /// Exit code of the tool; its output lands in the files out.txt and err.txt.
+  int run(const std::string& arguments) const {
+    const std::string command = std::string(SIMULATE_SCENE_TOOL) + " " + arguments + " > " + path("out.txt") +
+                                " 2> " + path("err.txt");
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  void expectOneClearLine(const std::string& arguments, const std::string& words) const {
+    SCOPED_TRACE(arguments);
+    EXPECT_GT(run(arguments), 0);
+    const std::string error = read("err.txt");
+    EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
+    EXPECT_NE(error.find(words), std::string::npos) << error;
+  }
+
+  const std::string scene_ = MIXED_PALLETIZING_SOURCE_DIR "/config/scenes/three_boxes.yaml";
+
+ private:
+  std::filesystem::path folder_;
+};
+
+TEST_F(SimulateScene, WritesCloudTruthAndMask) {
+  const std::string common = "--scene " + scene_ + " --truth " + path("t.json");
+  ASSERT_EQ(run(common + " --out " + path("c.pcd") + " --mask " + path("m.png") + " --seed 7"), 0)
+      << read("err.txt");
+  const auto cloud = mixed_palletizing::adapters::readCloud(path("c.pcd"));
+  EXPECT_EQ(cloud.width, 1920);
+  EXPECT_EQ(cloud.height, 1200);
+  EXPECT_TRUE(cloud.has_color);
+  const nlohmann::json truth = nlohmann::json::parse(read("t.json"));
+  EXPECT_EQ(truth.at("seed"), 7);
+  EXPECT_EQ(truth.at("boxes").size(), 3u);
+  EXPECT_GT(std::filesystem::file_size(path("m.png")), 1000u);
+
+  ASSERT_EQ(run(common + " --out " + path("same.pcd") + " --seed 7 --threads 1"), 0);
+  ASSERT_EQ(run(common + " --out " + path("other.pcd") + " --seed 8"), 0);
+  EXPECT_TRUE(read("c.pcd") == read("same.pcd"));
+  EXPECT_FALSE(read("c.pcd") == read("other.pcd"));
+}
+
+TEST_F(SimulateScene, BadInputIsOneClearLine) {
+  const std::string outputs = " --out " + path("c.pcd") + " --truth " + path("t.json");
+  const std::string bad = path("bad.yaml");
+  std::ofstream(bad)
+      << "camera: {eye_m: [0, 0, 1], target_m: [0, 0, 0]}\nboxes:\n  - {sise_m: 3}\nfloor: 3\n";
+  expectOneClearLine("--scene " + bad + outputs, "bad.yaml:3: boxes[0].sise_m");
+  expectOneClearLine("--scene " + path("none.yaml") + outputs, "none.yaml");
+  expectOneClearLine("--scene " + scene_, "--out");
+  expectOneClearLine("--scene " + scene_ + outputs + " --threads 0", "threads");
+  expectOneClearLine("--scene " + scene_ + " --truth " + path("t.json") + " --out " + path("no/c.pcd"),
+                     "no/c.pcd");
+  expectOneClearLine("--scene " + scene_ + " --truth " + path("t.json") + " --out " + path("c.txt"), "c.txt");
+  expectOneClearLine("--scene " + scene_ + outputs + " --mask " + path("m.jpg"), "m.jpg");
+}
+
+TEST_F(SimulateScene, Helps) {
+  EXPECT_EQ(run("--help"), 0);
+  EXPECT_NE(read("out.txt").find("--scene"), std::string::npos);
+}
+
+}  // namespace
