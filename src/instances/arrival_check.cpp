@@ -1,7 +1,6 @@
 #include "arrival_check.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "placement_check.hpp"
 
@@ -26,6 +25,12 @@ class Play {
     std::sort(mine.begin(), mine.end());
     std::sort(items.begin(), items.end());
     return mine == items;
+  }
+
+  bool seesAnyOf(const std::vector<int>& items) const {
+    return std::any_of(items.begin(), items.end(), [this](int item) {
+      return std::find(visible_.begin(), visible_.end(), item) != visible_.end();
+    });
   }
 
   bool over() const { return visible_.empty(); }
@@ -75,9 +80,9 @@ std::vector<std::string> arrivalFaults(const Instance& instance, const PackingRe
   for (std::size_t i = 0; i < result.placements.size(); ++i) {
     const ResultPlacement& placement = result.placements[i];
     const std::string name = "placement " + std::to_string(i) + ": ";
-    const std::vector<int> visible = play.visible();
     while (!play.sees(placement.available)) {
-      if (play.over()) {
+      if (play.over() || play.seesAnyOf(placement.available)) {
+        const std::vector<int>& visible = play.visible();
         return {name + "states " + listText(placement.available) + " as available, but " + listText(visible) +
                 " were visible"};
       }

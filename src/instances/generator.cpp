@@ -137,9 +137,10 @@ Instance generateInstance(const GeneratorOptions& options, std::uint64_t seed, i
 
   Instance instance;
   const std::string digits = std::to_string(index);
-  instance.name =
-      sizeName(options.pallet) + (options.structure == PackingStructure::kColumns ? "_columns" : "") + "_seed" +
-      std::to_string(seed) + "_" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
+  instance.name = sizeName(options.pallet) +
+                  (options.structure == PackingStructure::kColumns ? "_columns" : "") + "_seed" +
+                  std::to_string(seed) + "_" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') +
+                  digits;
   instance.order.rules.size = options.pallet;
   instance.n_pick = options.n_pick;
   takeOrder(boxes, instance);

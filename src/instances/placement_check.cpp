@@ -12,6 +12,8 @@
 namespace mixed_palletizing::instances {
 namespace {
 
+constexpr double kRounding = 1e-12;  ///< of a ratio in floating point
+
 using packing::Placement;
 using packing::Vec3;
 
@@ -44,8 +46,8 @@ std::vector<Rectangle> contacts(const Placement& placement, const std::vector<Pl
   return found;
 }
 
-/// Whether the centre of the base lies in the convex hull of the contacts, its border included: on every line
-/// through two corners of which one side holds all corners, the centre must not lie on the other side.
+/// Whether the centre of the base lies inside the convex hull of the contacts, not on its border: of every line
+/// through two corners that has all corners on one side, the centre must lie on that side too.
 bool centreOverHull(const Placement& placement, const std::vector<Rectangle>& rectangles) {
   std::vector<std::array<std::int64_t, 2>> corners;  // doubled, as the centre may be at half a millimetre
   for (const Rectangle& r : rectangles) {
@@ -60,7 +62,7 @@ bool centreOverHull(const Placement& placement, const std::vector<Rectangle>& re
   };
   for (const auto& a : corners) {
     for (const auto& b : corners) {
-      if (a == b || side(a, b, centre) >= 0) continue;
+      if (a == b || side(a, b, centre) > 0) continue;
       const bool all_left =
           std::all_of(corners.begin(), corners.end(), [&](const auto& c) { return side(a, b, c) >= 0; });
       if (all_left) return false;
@@ -74,7 +76,8 @@ std::vector<std::string> supportFaults(const packing::PalletRules& rules,
   if (placement.origin.z == 0) return {};
   const std::int64_t base = static_cast<std::int64_t>(placement.size.x) * placement.size.y;
   const std::int64_t supported = supportedArea(placement, placed);
-  if (static_cast<double>(supported) < rules.min_support_ratio * static_cast<double>(base)) {
+  const double needed = rules.min_support_ratio * (1.0 - kRounding);
+  if (static_cast<double>(supported) < needed * static_cast<double>(base)) {
     return {"only " + std::to_string(supported) + " of " + std::to_string(base) +
             " mm^2 of its base at z = " + std::to_string(placement.origin.z) + " are supported, at least " +
             std::to_string(rules.min_support_ratio) + " of it needed"};

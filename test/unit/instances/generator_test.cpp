@@ -1,0 +1,123 @@
+#include <numeric>
+#include <random>
+#include <set>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "support.hpp"
+
+namespace mixed_palletizing::instances {
+namespace {
+
+GeneratorOptions randomOptions(std::mt19937_64& rng) {
+  GeneratorOptions options;
+  const auto draw = [&rng](int low, int high) { return std::uniform_int_distribution<int>(low, high)(rng); };
+  options.pallet = {16 * draw(10, 80), 16 * draw(10, 80), 0};
+  options.footprint_divisors.clear();
+  for (int divisor = 1; divisor <= 64; divisor *= 2) {
+    if (draw(0, 2) == 0) options.footprint_divisors.push_back(divisor);
+  }
+  if (options.footprint_divisors.empty()) options.footprint_divisors = {4};
+  options.heights.clear();
+  for (int i = draw(1, 4); i > 0; --i) options.heights.push_back(draw(60, 300));
+  for (const int height : options.heights) options.pallet.z += height * draw(1, 2);
+  options.structure = draw(0, 1) == 0 ? PackingStructure::kColumns : PackingStructure::kBlocks;
+  options.n_pick = draw(1, 5);
+  return options;
+}
+
+TEST(Generator, makesPerfectPackings) {
+  std::mt19937_64 rng(11);
+  for (int i = 0; i < 300; ++i) {
+    const GeneratorOptions options = randomOptions(rng);
+    ASSERT_TRUE(problems(options).empty()) << problems(options).front();
+    const Instance instance = generateInstance(options, 5, i);
+    EXPECT_TRUE(problems(instance).empty()) << "case " << i << ": " << problems(instance).front();
+    EXPECT_EQ(instance.order.itemVolume(), packing::volume(options.pallet)) << "case " << i;
+    EXPECT_EQ(instance.perfect_packing.size(), instance.arrival.size());
+    const std::vector<std::string> faults = checkResult(instance, test::perfectResult(instance));
+    EXPECT_TRUE(faults.empty()) << "case " << i << ": " << faults.front();
+    for (const packing::ItemType& type : instance.order.types) {
+      bool known = false;
+      for (const int divisor : options.footprint_divisors) {
+        const packing::Vec3 part = footprint(options.pallet, divisor);
+        known = known || (part.x == type.size.x && part.y == type.size.y);
+      }
+      EXPECT_TRUE(known) << "case " << i << ": footprint of " << type.name;
+    }
+  }
+}
+
+TEST(Generator, repeatsItselfAndDiffersBySeedAndIndex) {
+  const GeneratorOptions options;
+  std::set<std::vector<int>> arrivals;
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_EQ(generateInstance(options, 3, i).arrival, generateInstance(options, 3, i).arrival);
+    arrivals.insert(generateInstance(options, 3, i).arrival);
+    arrivals.insert(generateInstance(options, 4, i).arrival);
+  }
+  EXPECT_EQ(arrivals.size(), 40U);
+}
+
+TEST(Generator, usesTheFootprintsOfTheThesis) {
+  const packing::Vec3 pallet{1200, 800, 600};
+  EXPECT_EQ(footprint(pallet, 4), (packing::Vec3{600, 400, 0}));
+  EXPECT_EQ(footprint(pallet, 8), (packing::Vec3{300, 400, 0}));
+  EXPECT_EQ(footprint(pallet, 16), (packing::Vec3{300, 200, 0}));
+  std::set<std::string> names;
+  for (int i = 0; i < 50; ++i) {
+    for (const packing::ItemType& type : generateInstance({}, 1, i).order.types) names.insert(type.name);
+  }
+  EXPECT_EQ(names.size(), 9U);
+  EXPECT_TRUE(names.count("300x200x100") == 1 && names.count("600x400x300") == 1);
+}
+
+TEST(Generator, refusesBadOptions) {
+  const auto refused = [](const GeneratorOptions& options) {
+    EXPECT_FALSE(problems(options).empty());
+    EXPECT_THROW(generateInstance(options, 1, 0), std::invalid_argument);
+  };
+  GeneratorOptions options;
+  for (const int z : {0, -600, 650, 1 << 30}) {
+    options = {};
+    options.pallet.z = z;
+    refused(options);
+  }
+  for (const std::vector<int>& divisors : {std::vector<int>{}, {3}, {0}, {-4}, {4, 1 << 30}, {128}}) {
+    options = {};
+    options.pallet.y = 801;
+    options.footprint_divisors = divisors;
+    refused(options);
+  }
+  for (const std::vector<int>& heights : {std::vector<int>{}, {0}, {-100}, {7}, {601}}) {
+    options = {};
+    options.heights = heights;
+    refused(options);
+  }
+  options = {};
+  options.n_pick = 0;
+  refused(options);
+  options = {};
+  options.pallet = {16384, 16384, 20000};
+  options.footprint_divisors = {1 << 20};
+  options.heights = {1};
+  refused(options);  // 2 * 10^10 items
+  EXPECT_THROW(footprint({1200, 800, 600}, 6), std::invalid_argument);
+  EXPECT_FALSE(packingStructureFromString("pyramid"));
+}
+
+TEST(Arrival, isTheGivenOneOrDrawnFromTheSeed) {
+  Instance instance = generateInstance({}, 1, 0);
+  EXPECT_EQ(arrivalOf(instance, 7), instance.arrival);
+  instance.arrival.clear();
+  EXPECT_EQ(itemTypes(instance), expandedItems(instance.order));
+  std::vector<int> drawn = arrivalOf(instance, 7);
+  EXPECT_EQ(drawn, arrivalOf(instance, 7));
+  EXPECT_NE(drawn, arrivalOf(instance, 8));
+  std::sort(drawn.begin(), drawn.end());
+  EXPECT_EQ(drawn, expandedItems(instance.order));
+}
+
+}  // namespace
+}  // namespace mixed_palletizing::instances
