@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include <opencv2/aruco.hpp>
-#include <opencv2/imgproc.hpp>
 
+#include "corner_refinement.hpp"
 #include "marker_dictionary.hpp"
 
 namespace mixed_palletizing::detection {
@@ -23,19 +23,6 @@ cv::Mat grayImage(const geometry::CloudView& cloud) {
     }
   }
   return gray;
-}
-
-double shortestSide(const Corners& corners) {
-  double shortest = cv::norm(corners[0] - corners[3]);
-  for (std::size_t i = 1; i < 4; ++i) shortest = std::min(shortest, cv::norm(corners[i] - corners[i - 1]));
-  return shortest;
-}
-
-/// Moves the corners to where the gradients meet; the window stays inside one cell of the marker.
-void refineCorners(const cv::Mat& gray, int cells, Corners& corners) {
-  const int half = std::clamp(static_cast<int>(0.5 * shortestSide(corners) / cells), 1, 7);
-  const cv::TermCriteria stop(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 40, 0.005);
-  cv::cornerSubPix(gray, corners, cv::Size(half, half), cv::Size(-1, -1), stop);
 }
 
 PixelMarker toMarker(int id, const Corners& corners) {
@@ -57,12 +44,18 @@ bool listed(const std::vector<PixelMarker>& markers, const PixelMarker& marker) 
 
 void addMarkers(const cv::Mat& gray, const cv::Ptr<cv::aruco::Dictionary>& dictionary,
                 std::vector<PixelMarker>& markers) {
+  const cv::Ptr<cv::aruco::DetectorParameters> parameters = cv::aruco::DetectorParameters::create();
+  // A marker near the camera is large: wider windows than OpenCV's, up to some cells of it.
+  parameters->adaptiveThreshWinSizeMax = 63;
+  parameters->adaptiveThreshWinSizeStep = 20;
+  // The edge of the paper is not the same candidate as the marker's border, however narrow the quiet zone.
+  parameters->minMarkerDistanceRate = 0.01;
   std::vector<Corners> corners;
   std::vector<int> ids;
-  cv::aruco::detectMarkers(gray, dictionary, corners, ids);
+  cv::aruco::detectMarkers(gray, dictionary, corners, ids, parameters);
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    refineCorners(gray, dictionary->markerSize + 2, corners[i]);
-    const PixelMarker marker = toMarker(ids[i], corners[i]);
+    PixelMarker marker = toMarker(ids[i], corners[i]);
+    refineCorners(gray, dictionary->markerSize + 2, marker.corners_px);
     if (!listed(markers, marker)) markers.push_back(marker);
   }
 }

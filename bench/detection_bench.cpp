@@ -1,0 +1,100 @@
+// Times of the detection beside the plain reading and the plain conversion of the same cloud.
+#include <cmath>
+
+#include <benchmark/benchmark.h>
+#include <pcl/point_types.h>
+#include <pcl_conversions/pcl_conversions.h>
+
+#include <mixed_palletizing/adapters/cloud_message.hpp>
+#include <mixed_palletizing/detection/base_frame.hpp>
+#include <mixed_palletizing/detection/box_detector.hpp>
+#include <mixed_palletizing/simulation/capture.hpp>
+#include <mixed_palletizing/simulation/random_scene.hpp>
+
+namespace mixed_palletizing {
+namespace {
+
+/// One 1920 x 1200 capture of four separated boxes, as the driver's message.
+struct Setup {
+  sensor_msgs::PointCloud2Ptr message;
+  geometry::CloudView view;
+  geometry::Pose base_from_camera;
+};
+
+const Setup& setup() {
+  static const Setup instance = [] {
+    simulation::RandomSceneOptions options;
+    options.boxes_min = options.boxes_max = 4;
+    options.scene.noise.depth_stddev_at_1m_m = 0.0002;
+    options.scene.noise.no_data_on_black = true;
+    const simulation::Scene scene = simulation::randomScene(options, 7);
+    Setup made;
+    std_msgs::Header header;
+    header.frame_id = "camera";
+    made.message = adapters::toMessage(simulation::capture(scene, 7, 2).cloud, header);
+    made.view = *adapters::checkCloud(*made.message).view;
+    made.base_from_camera =
+        simulation::worldFromMarker(scene.marker).inverse() * scene.camera.world_from_camera;
+    return made;
+  }();
+  return instance;
+}
+
+void readPass(benchmark::State& state) {
+  const geometry::CloudView& view = setup().view;
+  for (auto _ : state) {
+    double sum = 0.0;
+    for (int row = 0; row < view.height; ++row) {
+      const std::uint8_t* p = view.at(row, 0) + view.z_offset;
+      for (int col = 0; col < view.width; ++col, p += view.point_step) {
+        const float z = geometry::CloudView::readFloat(p);
+        if (!std::isnan(z)) sum += static_cast<double>(z);
+      }
+    }
+    benchmark::DoNotOptimize(sum);
+  }
+}
+BENCHMARK(readPass)->Unit(benchmark::kMillisecond);
+
+void checkMessage(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(adapters::checkCloud(*setup().message).view.has_value());
+}
+BENCHMARK(checkMessage)->Unit(benchmark::kMillisecond);
+
+void fromRosMessage(benchmark::State& state) {
+  pcl::PointCloud<pcl::PointXYZRGB> cloud;
+  for (auto _ : state) {
+    pcl::fromROSMsg(*setup().message, cloud);
+    benchmark::DoNotOptimize(cloud.points.data());
+  }
+}
+BENCHMARK(fromRosMessage)->Unit(benchmark::kMillisecond);
+
+void detect(benchmark::State& state, bool refine) {
+  detection::DetectionOptions options;
+  options.top.refine = refine;
+  detection::BoxDetector detector(options);
+  detection::Detections last;
+  for (auto _ : state) {
+    last = detector.detect(setup().view, setup().base_from_camera);
+    benchmark::DoNotOptimize(last.boxes.data());
+  }
+  state.counters["boxes"] = static_cast<double>(last.boxes.size());
+  for (const detection::StageTime& time : last.stage_times) state.counters[time.stage] = time.milliseconds;
+}
+BENCHMARK_CAPTURE(detect, refined, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(detect, thesis, false)->Unit(benchmark::kMillisecond);
+
+void findBaseFrame(benchmark::State& state) {
+  for (auto _ : state) {
+    const auto result = detection::findBaseFrame(setup().view, detection::BaseFrameSource::kMarker,
+                                                 detection::DetectionOptions());
+    benchmark::DoNotOptimize(result.frame.has_value());
+  }
+}
+BENCHMARK(findBaseFrame)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace mixed_palletizing
+
+BENCHMARK_MAIN();
