@@ -1,0 +1,54 @@
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include <ros/ros.h>
+
+#include <mixed_palletizing/adapters/cell_executive.hpp>
+#include <mixed_palletizing/adapters/cell_executive_services.hpp>
+#include <mixed_palletizing/adapters/parameters.hpp>
+
+namespace mixed_palletizing::adapters {
+
+CellExecutive::CellExecutive(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
+    : node_(node),
+      options_(readCellExecutiveOptions(parameterTree(private_node))),
+      instance_(cellOrder(options_.order)) {
+  if (!options_.report.empty()) prepareReport(options_.report);
+}
+
+bool CellExecutive::run() {
+  CellServices link(node_, options_.link);
+  CellReport report;
+  try {
+    link.waitForAll();
+    report = CellDialogue(instance_, options_.dialogue, link).run();
+  } catch (const CellError& error) {
+    report.message = error.what();
+  }
+  for (const std::string& line : summaryLines(report)) ROS_INFO("%s", line.c_str());
+  if (!options_.report.empty()) writeReport(options_.report, reportJson(report, instance_));
+  if (!report.complete) {
+    ROS_FATAL("order %s is not complete: %s", instance_.name.c_str(), report.message.c_str());
+    return false;
+  }
+  ROS_INFO("order %s is complete", instance_.name.c_str());
+  hold();
+  if (!ros::ok()) return true;
+  try {
+    link.closePallet();
+  } catch (const CellError& error) {
+    ROS_WARN("the pallet stays open: %s", error.what());
+  }
+  return true;
+}
+
+/// For those who look at the cell: the pallet stays open and its markers visible.
+void CellExecutive::hold() const {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(options_.hold_s);
+  while (ros::ok() && std::chrono::steady_clock::now() < end) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+}
+
+}  // namespace mixed_palletizing::adapters

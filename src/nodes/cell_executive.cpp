@@ -1,0 +1,18 @@
+// The robot executive in small: plays one order to its end. Parameters: config/cell_executive.yaml.
+#include <exception>
+
+#include <ros/ros.h>
+
+#include <mixed_palletizing/adapters/cell_executive.hpp>
+
+int main(int argc, char** argv) {
+  try {
+    ros::init(argc, argv, "cell_executive");
+    const ros::NodeHandle node;
+    const ros::NodeHandle private_node("~");
+    return mixed_palletizing::adapters::CellExecutive(node, private_node).run() ? 0 : 1;
+  } catch (const std::exception& error) {
+    ROS_FATAL("cell_executive: %s", error.what());
+    return 1;
+  }
+}

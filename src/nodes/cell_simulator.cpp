@@ -1,0 +1,20 @@
+// The simulated cell: a camera driver before a pick area of boxes. Parameters: config/cell_simulator.yaml.
+#include <exception>
+
+#include <ros/ros.h>
+
+#include <mixed_palletizing/adapters/cell_simulator.hpp>
+
+int main(int argc, char** argv) {
+  try {
+    ros::init(argc, argv, "cell_simulator");
+    const ros::NodeHandle node;
+    const ros::NodeHandle private_node("~");
+    const mixed_palletizing::adapters::CellSimulator simulator(node, private_node);
+    ros::spin();
+    return 0;
+  } catch (const std::exception& error) {
+    ROS_FATAL("cell_simulator: %s", error.what());
+    return 1;
+  }
+}
