@@ -1,0 +1,150 @@
+// The tools generate_instances, plan_picks and check_packing, run as a user runs them.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+class OrderTools : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ =
+        std::filesystem::temp_directory_path() / ("mixed_palletizing_orders_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  std::string read(const std::string& name) const {
+    std::ifstream file(path(name), std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+
+  void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
+
+  /// Exit code of a tool; its output lands in the files out.txt and err.txt.
+  int run(const std::string& tool, const std::string& arguments) const {
+    const std::string command =
+        tool + " " + arguments + " > " + path("out.txt") + " 2> " + path("err.txt") + " < /dev/null";
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  int generate(const std::string& arguments) const { return run(GENERATE_INSTANCES_TOOL, arguments); }
+  int plan(const std::string& arguments) const { return run(PLAN_PICKS_TOOL, arguments); }
+  int check(const std::string& orders, const std::string& results) const {
+    return run(CHECK_PACKING_TOOL, "--instances " + path(orders) + " --results " + path(results));
+  }
+
+  void expectOneClearLine(const std::string& tool, const std::string& arguments,
+                          const std::string& words) const {
+    SCOPED_TRACE(tool + " " + arguments);
+    EXPECT_GT(run(tool, arguments), 0);
+    const std::string error = read("err.txt");
+    EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
+    EXPECT_NE(error.find(words), std::string::npos) << error;
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+std::vector<nlohmann::json> lines(const std::string& text) {
+  std::vector<nlohmann::json> values;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) values.push_back(nlohmann::json::parse(line));
+  return values;
+}
+
+TEST_F(OrderTools, OrdersArePlannedAndEveryPlacementIsValid) {
+  ASSERT_EQ(generate("--height_mm 600 --count 12 --seed 5 --out " + path("i.jsonl")), 0) << read("err.txt");
+  ASSERT_EQ(generate("--height_mm 600 --count 12 --seed 5 --out " + path("again.jsonl")), 0);
+  EXPECT_EQ(read("i.jsonl"), read("again.jsonl"));
+  for (const std::string method : {"dblf", "ga"}) {
+    ASSERT_EQ(plan("--instances " + path("i.jsonl") + " --method " + method + " --out " + path("r.jsonl")), 0)
+        << read("err.txt");
+    EXPECT_EQ(read("err.txt"), "") << "progress although stderr is no terminal";
+    EXPECT_EQ(read("out.txt").find("orders 12  perfect "), 0U) << read("out.txt");
+    const auto results = lines(read("r.jsonl"));
+    ASSERT_EQ(results.size(), 12U);
+    EXPECT_EQ(results[0].at("method"), method);
+    EXPECT_EQ(results[0].at("placements").at(0).at("available").size(), 3U);
+    EXPECT_EQ(check("i.jsonl", "r.jsonl"), 0) << read("out.txt");
+    EXPECT_NE(read("out.txt").find("12 of 12 results valid"), std::string::npos) << read("out.txt");
+  }
+}
+
+TEST_F(OrderTools, AnOrderWithoutArrivalIsPlayedInTheOrderOfTheSeed) {
+  write("i.jsonl",
+        R"({"name":"a","pallet_mm":[400,400,200],"items":[{"type":"x","size_mm":[100,100,100],"count":20},)"
+        R"({"type":"y","size_mm":[200,200,100],"count":3,"rotations":"yaw"}]})");
+  ASSERT_EQ(plan("--instances " + path("i.jsonl") + " --seed 4 --out " + path("r.jsonl")), 0)
+      << read("err.txt");
+  EXPECT_EQ(check("i.jsonl", "r.jsonl"), 0) << read("out.txt");
+  nlohmann::json other = lines(read("r.jsonl"))[0];
+  other["seed"] = 5;
+  write("r2.jsonl", other.dump());
+  EXPECT_EQ(check("i.jsonl", "r2.jsonl"), 1) << "another seed is another arrival";
+}
+
+TEST_F(OrderTools, BadLinesAreNamedAndTheOthersKept) {
+  ASSERT_EQ(generate("--height_mm 600 --count 3 --seed 5 --out " + path("i.jsonl")), 0);
+  std::string text = read("i.jsonl");
+  text.insert(text.find('\n') + 1, "{\"name\": \"broken\"\n");
+  write("bad.jsonl", text);
+  const std::string arguments =
+      "--instances " + path("bad.jsonl") + " --method dblf --out " + path("r.jsonl");
+  expectOneClearLine(PLAN_PICKS_TOOL, arguments, "bad.jsonl:2: no JSON");
+  expectOneClearLine(PLAN_PICKS_TOOL, arguments + " --keep-going", "bad.jsonl:2: no JSON");
+  EXPECT_EQ(lines(read("r.jsonl")).size(), 3U);
+  EXPECT_EQ(check("i.jsonl", "r.jsonl"), 0) << read("out.txt");
+}
+
+TEST_F(OrderTools, CheckPackingFindsWhatIsWrong) {
+  ASSERT_EQ(generate("--height_mm 600 --count 2 --seed 5 --out " + path("i.jsonl")), 0);
+  ASSERT_EQ(plan("--instances " + path("i.jsonl") + " --method dblf --out " + path("r.jsonl")), 0);
+  auto results = lines(read("r.jsonl"));
+  results[0]["placements"][3]["origin_mm"][2] = 1;
+  write("bad.jsonl", results[0].dump() + "\n");
+  EXPECT_EQ(check("i.jsonl", "bad.jsonl"), 1);
+  EXPECT_NE(read("out.txt").find("placement 3: "), std::string::npos) << read("out.txt");
+  EXPECT_NE(read("out.txt").find("has no result"), std::string::npos) << read("out.txt");
+  EXPECT_NE(read("out.txt").find("0 of 1 results valid"), std::string::npos) << read("out.txt");
+}
+
+TEST_F(OrderTools, BadInputIsOneClearLine) {
+  const std::string out = " --out " + path("x.jsonl");
+  expectOneClearLine(GENERATE_INSTANCES_TOOL, "--height_mm 650" + out, "650");
+  expectOneClearLine(GENERATE_INSTANCES_TOOL, "--height_mm 600 --divisors 3" + out, "power of two");
+  expectOneClearLine(GENERATE_INSTANCES_TOOL, "--height_mm 600 --count 0" + out, "count");
+  expectOneClearLine(GENERATE_INSTANCES_TOOL, "--height_mm 600 --pallet_mm 1200" + out, "pallet_mm");
+  expectOneClearLine(GENERATE_INSTANCES_TOOL, "--height_mm x" + out, "height_mm");
+  expectOneClearLine(GENERATE_INSTANCES_TOOL, "--height_mm 600", "out");
+  expectOneClearLine(GENERATE_INSTANCES_TOOL, "--height_mm 600 --out " + path("no/x"), "no/x");
+  ASSERT_EQ(generate("--height_mm 600 --seed 5 --out " + path("i.jsonl")), 0);
+  const std::string good = "--instances " + path("i.jsonl");
+  expectOneClearLine(PLAN_PICKS_TOOL, good + out + " --method magic", "method");
+  expectOneClearLine(PLAN_PICKS_TOOL, good + out + " --budget_ms -1", "budget_ms");
+  expectOneClearLine(PLAN_PICKS_TOOL, good + " --out " + path("no/x"), "no/x");
+  expectOneClearLine(PLAN_PICKS_TOOL, "--instances " + path("none") + out, "none");
+  expectOneClearLine(CHECK_PACKING_TOOL, good + " --results " + path("none"), "none");
+}
+
+TEST_F(OrderTools, Help) {
+  for (const std::string tool : {GENERATE_INSTANCES_TOOL, PLAN_PICKS_TOOL, CHECK_PACKING_TOOL}) {
+    EXPECT_EQ(run(tool, "--help"), 0);
+    EXPECT_NE(read("out.txt").find("--"), std::string::npos);
+  }
+}
+
+}  // namespace
