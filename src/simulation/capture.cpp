@@ -2,6 +2,7 @@
 // pixel finds the nearest of them (steps 2 to 4: projection, depth map, merge with occlusion).
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -20,7 +21,7 @@ namespace {
 constexpr double kAmbientLight = 0.35;
 constexpr double kLampLight = 0.35;
 constexpr double kCameraLight = 0.3;
-const Eigen::Vector3d kWorldFromLamp(0.35, -0.25, 0.9);  // direction, about unit length
+const Eigen::Vector3d kTowardsLamp(0.35, -0.25, 0.9);  // in the world, of about unit length
 
 constexpr std::uint32_t kBackground = 0x202020;
 
@@ -52,7 +53,7 @@ class Renderer {
         rays_(meshesOf(objects_)),
         pinhole_(scene.camera),
         projector_(scene.camera.projector_m),
-        camera_from_lamp_(scene.camera.world_from_camera.linear().transpose() * kWorldFromLamp) {}
+        towards_lamp_(scene.camera.world_from_camera.linear().transpose() * kTowardsLamp) {}
 
   Sample sample(int row, int col) const {
     const Eigen::Vector3d ray = pinhole_.ray(col, row);
@@ -72,7 +73,7 @@ class Renderer {
 
  private:
   double light(const RayHit& hit, const Eigen::Vector3d& ray) const {
-    const double to_lamp = std::max(0.0, hit.normal.dot(camera_from_lamp_));
+    const double to_lamp = std::max(0.0, hit.normal.dot(towards_lamp_));
     const double to_camera = std::abs(hit.normal.dot(ray)) / ray.norm();
     return kAmbientLight + kLampLight * to_lamp + kCameraLight * to_camera;
   }
@@ -85,7 +86,7 @@ class Renderer {
   RayScene rays_;
   Pinhole pinhole_;
   std::optional<Eigen::Vector3d> projector_;
-  Eigen::Vector3d camera_from_lamp_;
+  Eigen::Vector3d towards_lamp_;
 };
 
 /// Mask, visible pixels and visibility of the tops.

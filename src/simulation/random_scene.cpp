@@ -122,7 +122,9 @@ bool drawCamera(const RandomSceneOptions& options, Draws& draws, Scene& scene) {
   const double azimuth = draws.between(-kPi, kPi);
   const double offset = options.target_offset_max_m * std::sqrt(draws.between(0.0, 1.0));
   const double bearing = draws.between(-kPi, kPi);
-  const Eigen::Vector3d target(offset * std::cos(bearing), offset * std::sin(bearing), 0.0);
+  const Eigen::Vector2d middle = scene.has_marker ? scene.marker.position_m : Eigen::Vector2d(0.0, 0.0);
+  const Eigen::Vector3d target(middle.x() + offset * std::cos(bearing),
+                               middle.y() + offset * std::sin(bearing), 0.0);
   const Eigen::Vector3d direction(std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth),
                                   std::cos(tilt));
   scene.camera.world_from_camera = lookAt(target + distance * direction, target);

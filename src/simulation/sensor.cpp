@@ -30,7 +30,7 @@ double Sensor::measuredDepth(const std::vector<Sample>& samples, int row, int co
   if (noise_.depth_stddev_at_1m_m > 0.0) {
     depth += noise_.depth_stddev_at_1m_m * depth * depth * random_.gaussian(index, kDepth);
   }
-  return depth;
+  return depth > 0.0 ? depth : kNoData;
 }
 
 /// A depth between the pixel's own and the neighbour's that differs most; its own when there is no edge.

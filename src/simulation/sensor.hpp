@@ -12,19 +12,19 @@ namespace mixed_palletizing::simulation {
 
 /// What the ray of a pixel met.
 struct Sample {
-  double depth_m = 0.0;   ///< not above 0: nothing
-  std::uint32_t rgb = 0;  ///< with light and shadow
-  int object = -1;        ///< index of the object; -1: nothing
+  double depth_m = 0.0;   ///< z of the point; without meaning when there is none
+  std::uint32_t rgb = 0;  ///< with the scene's light
+  int object = -1;        ///< index of the object; -1: the ray met nothing
   std::uint8_t face = 0;  ///< of that object
   bool is_dark = false;   ///< ink that gives no data
   bool is_lit = true;     ///< by the projector
 };
 
-/// The row's depths as the sensor measures them, NaN for no data; `samples` is the whole image, row-major.
 class Sensor {
  public:
   Sensor(const Noise& noise, int width, int height, std::uint64_t seed);
 
+  /// Depth [m] that the sensor delivers for a pixel, NaN for no data; `samples` is the whole image, row-major.
   double measuredDepth(const std::vector<Sample>& samples, int row, int col) const;
 
  private:

@@ -29,8 +29,8 @@ struct RandomSceneOptions {
 /// Every broken rule as one line "key: what is wrong".
 std::vector<std::string> problems(const RandomSceneOptions& options);
 
-/// Scene with the marker at the world's origin and boxes of random size, place, yaw and colour, all of them
-/// within the image. The same options and seed give the same scene.
+/// Scene with a random camera that looks at the marker (without one: at the origin) and boxes of random size,
+/// place, yaw and colour, all of them within the image. The same options and seed give the same scene.
 /// Throws std::invalid_argument with every line of problems(options), std::runtime_error when no such scene
 /// was found (boxes too many or too large for the view).
 Scene randomScene(const RandomSceneOptions& options, std::uint64_t seed);
