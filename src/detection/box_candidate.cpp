@@ -35,7 +35,7 @@ struct BoxCandidate::Context {
   const ClusterShape& shape;
 
   double depth() const { return (cloud.camera() - shape.centroid).norm(); }
-  FitScale scale(double top_stddev_m) const { return {noise.spacing(depth()), top_stddev_m}; }
+  FitScale scale(double top_stddev_m) const { return {noise.spacing(depth()), top_stddev_m, noise.ripple_m}; }
 };
 
 std::optional<Refusal> BoxCandidate::findTop(const Context& context) {
@@ -82,9 +82,8 @@ std::variant<RectangleFit, Refusal> BoxCandidate::findRectangle(const Context& c
   const Eigen::Vector2d camera = context.cloud.camera().head<2>();
   const RectangleFit fit =
       options_.top.refine ? fitRectangle(outline_, start, camera, scale) : keepRectangle(start, scale);
-  const double tolerance =
-      std::max({0.003, options_.noise.spacings * scale.spacing_m, options_.noise.sigmas * height_.stddev_m});
-  match_ = matchOutline(outline_, fit.rectangle, camera, tolerance);
+  const double tolerance = std::max(0.003, options_.noise.sigmas * height_.stddev_m);
+  match_ = matchOutline(outline_, fit.rectangle, camera, tolerance, options_.noise.spacings);
   clock.done("rectangle");
   return fit;
 }
@@ -108,6 +107,12 @@ std::optional<Refusal> BoxCandidate::judge(const Context& context, const Rectang
                    size + text(", its hull fills %.2f of that, less than %.2f", rectangularity,
                                options_.box.min_rectangularity)};
   }
+  const bool hidden = match_.occluded_ratio > kSeenShare || match_.border_ratio > kSeenShare;
+  if (options_.top.refine && fit.foundSides() < 4 && !hidden) {
+    return Refusal{RejectReason::kNotRectangular,
+                   size + text(", only %d sides have a straight outline, and nothing hides the others",
+                               fit.foundSides())};
+  }
   if (match_.on_sides_ratio < options_.box.min_outline_ratio) {
     return Refusal{RejectReason::kNotRectangular,
                    size + text(", %.2f of its outline lies on the sides, less than %.2f",
@@ -126,7 +131,7 @@ FoundBox BoxCandidate::describe(const Context& context, const RectangleFit& fit)
   box.center = Eigen::Vector3d(r.center.x(), r.center.y(), 0.5 * height_.mean_m);
   box.yaw_rad = r.yaw_rad;
   box.size = Eigen::Vector3d(r.size.x(), r.size.y(), height_.mean_m);
-  estimateUncertainty(fit, height_, context.noise, options_.box.max_side_m, box);
+  estimateUncertainty(fit, height_, context.noise.ripple_m, options_.box.max_side_m, box);
   box.top_visibility = topVisibility(context.cloud, context.base_from_camera, top_, r, height_.mean_m);
   const double uneven = unevenness(context.cloud, top_, r);
   unsigned flags = 0;

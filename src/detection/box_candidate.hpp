@@ -11,6 +11,7 @@
 
 #include "cluster_shape.hpp"
 #include "outline.hpp"
+#include "outline_match.hpp"
 #include "rectangle_fit.hpp"
 #include "sensor_noise.hpp"
 #include "stage_clock.hpp"

@@ -1,12 +1,7 @@
 #include "clusters.hpp"
 
-#include <algorithm>
-
 namespace mixed_palletizing::detection {
 namespace {
-
-// A level surface seen at a flat angle has its points far apart: at most this many times farther than head-on.
-constexpr float kLargestStretch = 6.0f;
 
 /// Walks the rows of a cloud and cuts them into runs.
 class RowCutter {
@@ -79,13 +74,6 @@ ClusterLimits::ClusterLimits(const DetectionOptions& options, const SensorNoise&
       spacing_per_m(static_cast<float>(options.noise.spacings * noise.spacing_per_m)),
       noise_per_m2(static_cast<float>(options.noise.sigmas * noise.depth_per_m2)),
       camera_height_m(static_cast<float>(cloud.camera().z())) {}
-
-float ClusterLimits::squaredDistance(float z, float h) const {
-  // Points of a level surface are stretched along the view by depth over height of the camera above it.
-  const float stretch = std::min(kLargestStretch, z / std::max(camera_height_m - h, 1e-3f));
-  const float distance = std::max(distance_m, z * (spacing_per_m * stretch + noise_per_m2 * z));
-  return distance * distance;
-}
 
 std::size_t findClusters(const BaseCloud& cloud, const ClusterLimits& limits, RunForest& clusters) {
   clusters.clear();

@@ -2,6 +2,7 @@
 // "Clustering").
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include <mixed_palletizing/detection/options.hpp>
@@ -23,8 +24,16 @@ struct ClusterLimits {
 
   ClusterLimits(const DetectionOptions& options, const SensorNoise& noise, const BaseCloud& cloud);
 
-  /// Square of the largest distance between neighbours of one surface, at depth z and height h [m].
-  float squaredDistance(float z, float h) const;
+  /// Square of the largest distance between neighbours of one surface, at depth z and height h [m]. Points of a
+  /// level surface are stretched along the view by depth over height of the camera above it.
+  float squaredDistance(float z, float h) const {
+    const float stretch = std::min(kLargestStretch, z / std::max(camera_height_m - h, 1e-3f));
+    const float distance = std::max(distance_m, z * (spacing_per_m * stretch + noise_per_m2 * z));
+    return distance * distance;
+  }
+
+  // Seen at a flatter angle, neighbours of a level surface are no longer told from edges.
+  static constexpr float kLargestStretch = 6.0f;
 };
 
 /// Fills `clusters` with the components of the points between the height limits; 4-connected grid neighbours

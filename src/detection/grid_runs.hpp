@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -70,6 +71,13 @@ inline std::size_t pixelCount(const RunRange& runs) {
   std::size_t count = 0;
   for (const Run& run : runs) count += static_cast<std::size_t>(run.size());
   return count;
+}
+
+/// Step between rows and between columns that leaves some ten thousand pixels of a component of `count`: enough
+/// for a mean.
+inline int meanStride(std::size_t count) {
+  constexpr double kEnough = 20000.0;
+  return std::max(1, static_cast<int>(std::sqrt(static_cast<double>(count) / kEnough)));
 }
 
 template <typename Connected>

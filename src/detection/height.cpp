@@ -34,8 +34,10 @@ std::optional<double> patchHeight(const BaseCloud& cloud, const RunRange& cluste
   const float squared_radius = static_cast<float>(radius_m * radius_m);
   double sum = 0.0;
   std::size_t count = 0;
+  const int stride = meanStride(shape.count);
   for (const Run& run : cluster) {
-    for (int col = run.begin; col < run.end; ++col) {
+    if (run.row % stride != 0) continue;
+    for (int col = run.begin; col < run.end; col += stride) {
       const Eigen::Vector3f p = cloud.point(run.row, col);
       if ((p.head<2>() - center).squaredNorm() > squared_radius) continue;
       sum += p.z();

@@ -29,11 +29,17 @@ class SampleMaker {
     const Eigen::Vector3d ray = borderRay(row, col, down, right, depth);
     sample.at_top = atHeight(ray, height_m_);
     sample.at_band = atHeight(ray, band_.low_m);
+    sample.pixel_m = 2.0 * (sample.at_top - atHeight(cloud_.ray(row, col), height_m_)).norm();
+    sample.goes_on = hasData(row + down, col + right);
     sample.across = lookAcross(row, col, down, right);
     return sample;
   }
 
  private:
+  bool hasData(int row, int col) const {
+    return row >= 0 && col >= 0 && row < cloud_.height() && col < cloud_.width() && cloud_.valid(row, col);
+  }
+
   Eigen::Vector3d borderRay(int row, int col, int down, int right, int depth) const {
     const Eigen::Vector3d last = cloud_.ray(row, col);
     for (int back = std::min(kSlopePixels, depth - 1); back > 0; --back) {

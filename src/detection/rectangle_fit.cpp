@@ -1,10 +1,12 @@
 #include "rectangle_fit.hpp"
 
 #include <algorithm>
-#include <climits>
 #include <cmath>
 
 #include <Eigen/Dense>
+
+#include "rectangle_sides.hpp"
+#include "side_votes.hpp"
 
 namespace mixed_palletizing::detection {
 namespace {
@@ -15,80 +17,8 @@ constexpr int kRounds = 5;                // of choosing samples
 constexpr int kReweighings = 5;           // within a round
 constexpr double kTukey = 4.685;          // 95 % efficiency for normal residuals
 constexpr double kNormalMedian = 0.6745;  // median of |x| for a standard normal x
-constexpr std::size_t kMinSamples = 8;    // of a side
-constexpr int kBins = 20;                 // along a side, to see how much of it has samples
-constexpr int kMinBins = 4;
-constexpr double kCornerShare = 0.03;  // of a side: rounded corners and pixels of two sides stay out
-
-// Outward normals in the rectangle's own axes, in the order of Rectangle::corners(), and the directions along.
-const std::array<Eigen::Vector2d, 4> kOutward{Eigen::Vector2d(0, -1), Eigen::Vector2d(1, 0),
-                                              Eigen::Vector2d(0, 1), Eigen::Vector2d(-1, 0)};
-Eigen::Vector2d alongOf(std::size_t side) { return {-kOutward[side].y(), kOutward[side].x()}; }
-
-double halfAcross(const Rectangle& r, std::size_t side) {
-  return 0.5 * (side % 2 == 0 ? r.size.y() : r.size.x());
-}
-double halfAlong(const Rectangle& r, std::size_t side) {
-  return 0.5 * (side % 2 == 0 ? r.size.x() : r.size.y());
-}
-
-/// True when the camera stands on the outer side of this side: its face is in view.
-bool faceInView(const Rectangle& r, std::size_t side, const Eigen::Vector2d& camera) {
-  return kOutward[side].dot(r.toLocal(camera)) > halfAcross(r, side);
-}
-
-/// A sample in the rectangle's axes, as seen by one side.
-struct Vote {
-  double across = 0.0;  // outward from the rectangle's centre
-  double along = 0.0;
-  double weight = 1.0;
-};
-
-struct SideVotes {
-  std::vector<Vote> votes;
-  int crossings = 0;  // grid lines that the side crosses against the direction its samples were found in
-};
-
-/// Samples near one side, found along the grid direction that crosses it more squarely.
-SideVotes collect(const std::vector<OutlineSample>& samples, const Rectangle& r, std::size_t side,
-                  bool in_view, double gate_m, double corner_m) {
-  SideVotes result;
-  const double reach = std::max(0.0, halfAlong(r, side) * (1.0 - kCornerShare) - corner_m);
-  const double offset = halfAcross(r, side);
-  const auto near = [&](const OutlineSample& sample, Vote& vote) {
-    if (sample.across != Across::kFree) return false;
-    const Eigen::Vector2d local = r.toLocal(in_view ? sample.at_band : sample.at_top);
-    vote.across = kOutward[side].dot(local);
-    vote.along = alongOf(side).dot(local);
-    return std::abs(vote.along) < reach && std::abs(vote.across - offset) < gate_m;
-  };
-  Vote vote;
-  int row_low = INT_MAX, row_high = -1, col_low = INT_MAX, col_high = -1;
-  for (const OutlineSample& sample : samples) {
-    if (!near(sample, vote)) continue;
-    row_low = std::min(row_low, sample.row);
-    row_high = std::max(row_high, sample.row);
-    col_low = std::min(col_low, sample.col);
-    col_high = std::max(col_high, sample.col);
-  }
-  if (row_high < 0) return result;
-  const bool by_rows = row_high - row_low >= col_high - col_low;
-  result.crossings = std::min(row_high - row_low, col_high - col_low);
-  for (const OutlineSample& sample : samples) {
-    if (sample.along_row == by_rows && near(sample, vote)) result.votes.push_back(vote);
-  }
-  return result;
-}
-
-bool enough(const SideVotes& side, double half_along) {
-  if (side.votes.size() < kMinSamples) return false;
-  std::array<bool, kBins> filled{};
-  for (const Vote& vote : side.votes) {
-    const int bin = static_cast<int>((vote.along / half_along + 1.0) * 0.5 * kBins);
-    filled[static_cast<std::size_t>(std::clamp(bin, 0, kBins - 1))] = true;
-  }
-  return std::count(filled.begin(), filled.end(), true) >= kMinBins;
-}
+constexpr double kSaw = 0.2887;           // standard deviation of a number rounded to whole pixels
+constexpr double kRippleShare = 0.5;      // of the shared error of points that moves a whole side
 
 /// Angle and four offsets, with their variances.
 struct Solution {
@@ -151,20 +81,23 @@ void solve(const std::array<SideVotes, 4>& sides, const std::array<bool, 4>& fou
   }
 }
 
-/// Fits angle and offsets to the votes; returns the largest robust standard deviation of a side.
-double fitVotes(std::array<SideVotes, 4>& sides, const std::array<bool, 4>& found, double smallest_m,
-                Solution& s) {
+/// Fits angle and offsets to the votes; returns the largest robust standard deviation of a side. It is at least
+/// that of the saw: on a side whose slope is a simple fraction the teeth take few values, and the rarer of
+/// them must not pass for outliers.
+double fitVotes(std::array<SideVotes, 4>& sides, const std::array<bool, 4>& found, Solution& s) {
   for (std::size_t i = 0; i < 4; ++i) {
     if (!found[i]) continue;
     std::vector<double> across;
     for (const Vote& vote : sides[i].votes) across.push_back(vote.across);
     s.offset[i] = median(across);
   }
-  double scale = smallest_m;
+  double scale = 0.0;
   for (int i = 0; i < kReweighings; ++i) {
-    scale = smallest_m;
+    scale = 0.0;
     for (std::size_t side = 0; side < 4; ++side) {
-      if (found[side]) scale = std::max(scale, weigh(side, s, smallest_m, sides[side].votes));
+      if (!found[side]) continue;
+      const double smallest = std::max(kSaw * meanPixel(sides[side]), 1e-9);
+      scale = std::max(scale, weigh(side, s, smallest, sides[side].votes));
     }
     solve(sides, found, s);
   }
@@ -195,27 +128,29 @@ RectangleFit fitRectangle(const std::vector<OutlineSample>& samples, const EdgeR
   RectangleFit fit;
   fit.rectangle = start.rectangle;
   double gate = std::max({6.0 * scale.spacing_m, 4.0 * scale.noise_m, 0.005});
-  const double smallest_scale = std::max(0.1 * scale.spacing_m, 1e-6);
   for (int round = 0; round < kRounds; ++round) {
     const Rectangle& r = fit.rectangle;
     std::array<SideVotes, 4> sides;
     std::array<bool, 4> found{};
     Solution s;
     for (std::size_t i = 0; i < 4; ++i) {
-      sides[i] = collect(samples, r, i, faceInView(r, i, camera), gate, 2.0 * scale.spacing_m);
-      found[i] = enough(sides[i], halfAlong(r, i));
+      sides[i] = collectVotes(samples, r, i, faceInView(r, i, camera), gate, 2.0 * scale.spacing_m);
+      found[i] = enoughVotes(sides[i], halfAlong(r, i));
       s.offset[i] = halfAcross(r, i);
     }
     if (std::count(found.begin(), found.end(), true) == 0) break;
-    const double scatter = fitVotes(sides, found, smallest_scale, s);
+    const double scatter = fitVotes(sides, found, s);
     fit.rectangle = moved(r, s);
     if ((fit.rectangle.size.array() <= 0.0).any()) return keepRectangle(start, scale);
     for (std::size_t i = 0; i < 4; ++i) {
       // Pixels cut a side into a saw: its mean is known to a pixel over the number of teeth.
-      const double saw = scale.spacing_m / std::sqrt(12.0) / std::max(1, sides[i].crossings);
-      fit.sides[i] = {found[i], sides[i].votes.size(), std::sqrt(s.offset_variance[i] + saw * saw)};
+      const double saw = kSaw * meanPixel(sides[i]) / std::max(1, sides[i].crossings);
+      const double shared = kRippleShare * scale.ripple_m;
+      fit.sides[i] = {found[i], sides[i].votes.size(),
+                      std::sqrt(s.offset_variance[i] + saw * saw + shared * shared)};
     }
-    fit.yaw_stddev_rad = std::sqrt(s.turn_variance);
+    const double shared_turn = kRippleShare * scale.ripple_m / std::max(fit.rectangle.size.maxCoeff(), 1e-6);
+    fit.yaw_stddev_rad = std::sqrt(s.turn_variance + shared_turn * shared_turn);
     gate = std::max(2.0 * scale.spacing_m, std::min(gate, 4.0 * scatter));
   }
   return fit;
@@ -228,32 +163,6 @@ RectangleFit keepRectangle(const EdgeRectangle& start, const FitScale& scale) {
   for (std::size_t i = 0; i < 4; ++i) fit.sides[i] = {start.side_found[i], 0, stddev};
   fit.yaw_stddev_rad = stddev / std::max(0.5 * start.rectangle.size.maxCoeff(), 1e-6);
   return fit;
-}
-
-OutlineMatch matchOutline(const std::vector<OutlineSample>& samples, const Rectangle& rectangle,
-                          const Eigen::Vector2d& camera, double tolerance_m) {
-  OutlineMatch match;
-  std::array<bool, 4> in_view{};
-  for (std::size_t i = 0; i < 4; ++i) in_view[i] = faceInView(rectangle, i, camera);
-  double free = 0.0;
-  for (const OutlineSample& sample : samples) {
-    if (sample.across == Across::kOccluder) match.occluded_ratio += 1.0;
-    if (sample.across == Across::kBorder) match.border_ratio += 1.0;
-    if (sample.across != Across::kFree) continue;
-    free += 1.0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Eigen::Vector2d local = rectangle.toLocal(in_view[i] ? sample.at_band : sample.at_top);
-      if (std::abs(alongOf(i).dot(local)) > halfAlong(rectangle, i) + tolerance_m) continue;
-      if (std::abs(kOutward[i].dot(local) - halfAcross(rectangle, i)) > tolerance_m) continue;
-      match.on_sides_ratio += 1.0;
-      break;
-    }
-  }
-  const double all = std::max(1.0, static_cast<double>(samples.size()));
-  match.occluded_ratio /= all;
-  match.border_ratio /= all;
-  match.on_sides_ratio /= std::max(1.0, free);
-  return match;
 }
 
 }  // namespace mixed_palletizing::detection

@@ -34,6 +34,7 @@ struct RectangleFit {
 struct FitScale {
   double spacing_m = 0.0;  ///< between neighbouring points on the top
   double noise_m = 0.0;    ///< standard deviation of the points
+  double ripple_m = 0.0;   ///< part of it that neighbouring points share
 };
 
 /// Moves the starting rectangle onto the samples. A side that the camera looks at from outside ends where its
@@ -44,15 +45,5 @@ RectangleFit fitRectangle(const std::vector<OutlineSample>& samples, const EdgeR
 
 /// The starting rectangle as it is, with the spread of its edges: the thesis' result.
 RectangleFit keepRectangle(const EdgeRectangle& start, const FitScale& scale);
-
-/// Shares of the outline.
-struct OutlineMatch {
-  double on_sides_ratio = 0.0;  ///< of the free samples: those that lie on a side
-  double occluded_ratio = 0.0;  ///< of all samples
-  double border_ratio = 0.0;    ///< of all samples
-};
-
-OutlineMatch matchOutline(const std::vector<OutlineSample>& samples, const geometry::Rectangle& rectangle,
-                          const Eigen::Vector2d& camera, double tolerance_m);
 
 }  // namespace mixed_palletizing::detection

@@ -7,11 +7,12 @@
 namespace mixed_palletizing::detection {
 namespace {
 
-constexpr int kSamplesPerSide = 128;
+constexpr int kSamplesPerSide = 96;
 constexpr std::size_t kEnough = 50;
 constexpr double kFloorShare = 0.05;             // of all samples: less floor says nothing about the floor
 constexpr double kNormalMedian = 0.6745;         // median of |x| for a standard normal x
 constexpr double kNormalQuarter = 0.3186;        // lower quartile of |x|
+constexpr double kSlack = 1.1;                   // of the measured depth noise, before the rest is ripple
 constexpr double kSecondDifference = 2.4494897;  // sqrt(1 + 4 + 1): stddev of a - 2 b + c
 
 /// The value below which `share` of the samples lie; 0 for too few samples.
@@ -22,17 +23,28 @@ double quantile(std::vector<double>& samples, double share) {
   return *at;
 }
 
+/// What a standard deviation holds beyond another, independent one.
+double excess(double stddev, double other) {
+  return std::sqrt(std::max(0.0, stddev * stddev - other * other));
+}
+
 struct Samples {
   std::vector<double> along_row, along_column, second_difference, height;
+  double floor_gain_squares = 0.0;  // of the floor samples: (height error over depth error at 1 m)^2
   std::size_t valid = 0;
 };
 
 void sampleAt(const BaseCloud& cloud, int row, int col, double floor_band_m, Samples& samples) {
   if (!cloud.valid(row, col)) return;
   ++samples.valid;
-  const double height = std::abs(cloud.point(row, col).z());
-  if (height < floor_band_m) samples.height.push_back(height);
   const Eigen::Vector3d ray = cloud.ray(row, col);
+  const double depth = static_cast<double>(cloud.view().point(row, col).z());
+  const double height = std::abs(cloud.point(row, col).z());
+  if (height < floor_band_m) {
+    samples.height.push_back(height);
+    const double gain = ray.z() * depth * depth;
+    samples.floor_gain_squares += gain * gain;
+  }
   if (row + 1 < cloud.height() && cloud.valid(row + 1, col)) {
     samples.along_column.push_back((cloud.ray(row + 1, col) - ray).norm());
   }
@@ -61,7 +73,9 @@ SensorNoise measureNoise(const BaseCloud& cloud, double floor_band_m) {
   noise.depth_per_m2 = quantile(samples.second_difference, 0.5) / (kNormalMedian * kSecondDifference);
   // The lower quartile holds even when most of the band is something other than floor.
   if (static_cast<double>(samples.height.size()) > kFloorShare * static_cast<double>(samples.valid)) {
+    const double gain = std::sqrt(samples.floor_gain_squares / static_cast<double>(samples.height.size()));
     noise.floor_stddev_m = quantile(samples.height, 0.25) / kNormalQuarter;
+    noise.ripple_m = excess(noise.floor_stddev_m, kSlack * gain * noise.depth_per_m2);
   }
   return noise;
 }

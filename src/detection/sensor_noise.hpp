@@ -11,6 +11,8 @@ struct SensorNoise {
   double spacing_per_m = 0.0;   ///< distance of neighbouring rays at depth 1 m, the coarser image direction
   double depth_per_m2 = 0.0;    ///< standard deviation of the depth at 1 m; grows with the depth squared
   double floor_stddev_m = 0.0;  ///< of the heights near the floor: noise and ripple together
+  double ripple_m = 0.0;  ///< what the floor strays beyond the depth noise: errors that neighbouring points
+                          ///< share, so that no mean removes them; they show at edges too
 
   double spacing(double depth_m) const { return spacing_per_m * depth_m; }
   double depth(double depth_m) const { return depth_per_m2 * depth_m * depth_m; }

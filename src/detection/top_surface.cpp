@@ -27,8 +27,10 @@ double unevenness(const BaseCloud& cloud, const RunRange& top, const geometry::R
   const Eigen::Array2f per_cell = 0.5f * kCells / inner;
   std::size_t count = 0;
   double sum = 0.0;
+  const int stride = meanStride(pixelCount(top));
   for (const Run& run : top) {
-    for (int col = run.begin; col < run.end; ++col) {
+    if (run.row % stride != 0) continue;
+    for (int col = run.begin; col < run.end; col += stride) {
       const Eigen::Vector3f p = cloud.point(run.row, col);
       const Eigen::Vector2f d = p.head<2>() - center;
       const Eigen::Array2f local(d.dot(axis), axis.x() * d.y() - axis.y() * d.x());

@@ -8,6 +8,8 @@ namespace {
 
 // The floor under the box is not seen; it strays from the plane by a share of the floor's own roughness.
 constexpr double kHiddenFloorShare = 0.3;
+// [m] What remains of a height when nothing is noisy: points of the sides' upper rims in the mean.
+constexpr double kLeastHeight = 1e-5;
 
 double squared(double x) { return x * x; }
 
@@ -19,8 +21,8 @@ double offsetVariance(const SideFit& side, double size_m, double max_side_m) {
 
 }  // namespace
 
-void estimateUncertainty(const RectangleFit& fit, const TopHeight& top, const SensorNoise& noise,
-                         double max_side_m, DetectedBox& box) {
+void estimateUncertainty(const RectangleFit& fit, const TopHeight& top, double ripple_m, double max_side_m,
+                         DetectedBox& box) {
   const geometry::Rectangle& r = fit.rectangle;
   std::array<double, 4> side{};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -29,7 +31,7 @@ void estimateUncertainty(const RectangleFit& fit, const TopHeight& top, const Se
   // Sides 1 and 3 bound the rectangle's x, sides 0 and 2 its y.
   const double along_x = side[1] + side[3];
   const double along_y = side[0] + side[2];
-  const double height = squared(kHiddenFloorShare * noise.floor_stddev_m) +
+  const double height = squared(kHiddenFloorShare * ripple_m) + squared(kLeastHeight) +
                         squared(top.stddev_m) / static_cast<double>(std::max<std::size_t>(top.count, 1));
   const bool turned = r.size.x() < r.size.y();
   box.size_stddev = Eigen::Vector3d(std::sqrt(turned ? along_y : along_x),
