@@ -51,6 +51,7 @@ tested() { (cd "$workspace/build" && ctest --output-on-failure --timeout 900 "$@
 say "checks"
 check layers "$root/scripts/check_layers.py"
 check layer_check_itself /usr/bin/python3 "$root/test/tools/test_check_layers.py"
+check show_report /usr/bin/python3 "$root/test/tools/test_show_report.py"
 check clang_format formatted
 check catkin_lint linted
 

@@ -16,10 +16,6 @@ bool isIdentified(const PickOption& option) {
   return option.status == PickOption::FEASIBLE || option.status == PickOption::DOES_NOT_FIT;
 }
 
-std::array<double, 3> millimeters(double x, double y, double z) {
-  return {x * kMillimetersPerMeter, y * kMillimetersPerMeter, z * kMillimetersPerMeter};
-}
-
 double volumeOf(const geometry_msgs::Vector3& size) { return size.x * size.y * size.z; }
 
 /// The largest group of points that is no box.
@@ -135,8 +131,7 @@ void CellDialogue::handleEmpty(const CellLook& look) {
   // One at a time: the next boxes may already lie where another group of points was.
   const RejectedCluster& cluster = largest(look.seen.rejected);
   link_.warn("threw out what is no box: " + cluster.text);
-  report_.discards.push_back({"", cluster.text, {}});
-  take(look.seen.header, cluster.centroid, true);
+  throwOut(look.seen.header, cluster.centroid, {"", cluster.text, {}, 0});
 }
 
 ChooseNextPickResponse CellDialogue::choose(const CellLook& look) {
@@ -167,16 +162,16 @@ void CellDialogue::pick(const CellLook& look, const ChooseNextPickResponse& answ
   const Box& box = look.seen.boxes[static_cast<std::size_t>(answer.chosen_index)];
   link_.move();
   reportOutcome(answer.decision_id, ReportPickRequest::PLACED);
-  take(look.seen.header, box.top_center, false);
+  const TakeBoxResponse taken = take(look.seen.header, box.top_center, false);
+  if (taken.type_id != answer.type_id) {
+    throw CellError("take_box: the box that was packed as " + answer.type_id + " is a " + taken.type_id);
+  }
   ++done_;
 
-  const Placement& placement = answer.placement;
-  PickRecord record;
+  const packing::ItemType& type = instance_.order.types[answer.placement.type_index];
+  PickRecord record = pickRecord(box, answer.placement, type.size);
   record.type_id = answer.type_id;
-  record.origin_mm = millimeters(placement.origin.x, placement.origin.y, placement.origin.z);
-  record.placed_size_mm = millimeters(placement.size.x, placement.size.y, placement.size.z);
-  record.measured = measuredSize(box);
-  record.nominal_mm = standingSize(instance_.order.types[placement.type_index].size, record.measured);
+  record.item = taken.item;
   record.decision_id = answer.decision_id;
   record.available = look.seen.boxes.size();
   record.capture_ms = look.capture_ms;
@@ -197,8 +192,7 @@ void CellDialogue::discardAll(const CellLook& look, const ChooseNextPickResponse
     if (!isIdentified(option)) continue;
     const Box& box = look.seen.boxes[i];
     link_.warn("discarded " + option.type_id + ": " + option.reason);
-    report_.discards.push_back({option.type_id, option.reason, measuredSize(box)});
-    take(look.seen.header, box.top_center, true);
+    throwOut(look.seen.header, box.top_center, {option.type_id, option.reason, measuredSize(box), 0});
     ++done_;
   }
 }
@@ -213,17 +207,24 @@ void CellDialogue::throwOutUnidentified(const CellLook& look, const ChooseNextPi
     if (isIdentified(answer.options[i])) continue;
     const Box& box = look.seen.boxes[i];
     link_.warn("threw out a box that was not identified: " + answer.options[i].reason);
-    report_.discards.push_back({"", answer.options[i].reason, measuredSize(box)});
-    take(look.seen.header, box.top_center, true);
+    throwOut(look.seen.header, box.top_center, {"", answer.options[i].reason, measuredSize(box), 0});
   }
 }
 
-void CellDialogue::take(const std_msgs::Header& header, const geometry_msgs::Point& point, bool discard) {
+TakeBoxResponse CellDialogue::take(const std_msgs::Header& header, const geometry_msgs::Point& point,
+                                   bool discard) {
   geometry_msgs::PointStamped where;
   where.header = header;
   where.point = point;
   const TakeBoxResponse response = link_.take(where, discard);
   if (!response.success) throw CellError("take_box: " + response.message);
+  return response;
+}
+
+void CellDialogue::throwOut(const std_msgs::Header& header, const geometry_msgs::Point& point,
+                            DiscardRecord record) {
+  record.item = take(header, point, true).item;
+  report_.discards.push_back(std::move(record));
 }
 
 void CellDialogue::reportOutcome(std::uint64_t decision_id, std::uint8_t outcome) {

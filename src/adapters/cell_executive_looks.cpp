@@ -52,7 +52,7 @@ void CellLooks::calibrate() {
   const CalibrateResponse response = link_.calibrate();
   if (!response.success) throw CellError("calibrate: " + response.message);
   calibrated_ = true;
-  link_.say("calibrated: " + response.message);
+  link_.say("calibration: " + response.message);
 }
 
 }  // namespace mixed_palletizing::adapters

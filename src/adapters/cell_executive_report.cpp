@@ -35,6 +35,7 @@ Json timesJson(const std::vector<double>& times_ms) {
 Json pickJson(const PickRecord& pick, std::size_t sequence) {
   return {{"sequence", sequence},
           {"type", pick.type_id},
+          {"item", pick.item},
           {"origin_mm", toJson(pick.origin_mm)},
           {"size_mm", toJson(pick.placed_size_mm)},
           {"measured_mm", toJson(pick.measured.size_mm)},
@@ -50,6 +51,7 @@ Json pickJson(const PickRecord& pick, std::size_t sequence) {
 
 Json discardJson(const DiscardRecord& discard) {
   return {{"type", discard.type_id.empty() ? Json() : Json(discard.type_id)},
+          {"item", discard.item},
           {"reason", discard.reason},
           {"measured_mm", toJson(discard.measured.size_mm)}};
 }
@@ -93,17 +95,18 @@ std::string text(const Triple& values, const char* format) {
   return line;
 }
 
+/// Of a point or vector in metres.
+template <typename Xyz>
+Triple millimeters(const Xyz& v) {
+  return {v.x * kMillimetersPerMeter, v.y * kMillimetersPerMeter, v.z * kMillimetersPerMeter};
+}
+
 /// Beside the report, so that it can be renamed to it.
 std::string partOf(const std::string& path) { return path + ".part"; }
 
 }  // namespace
 
-MeasuredSize measuredSize(const Box& box) {
-  const auto millimeters = [](const geometry_msgs::Vector3& v) {
-    return Triple{v.x * kMillimetersPerMeter, v.y * kMillimetersPerMeter, v.z * kMillimetersPerMeter};
-  };
-  return {millimeters(box.size), millimeters(box.size_stddev)};
-}
+MeasuredSize measuredSize(const Box& box) { return {millimeters(box.size), millimeters(box.size_stddev)}; }
 
 std::array<double, 3> standingSize(const packing::Vec3& size_mm, const MeasuredSize& measured) {
   const Triple sides{static_cast<double>(size_mm.x), static_cast<double>(size_mm.y),
@@ -121,6 +124,15 @@ std::array<double, 3> standingSize(const packing::Vec3& size_mm, const MeasuredS
     best = standing;
   }
   return best;
+}
+
+PickRecord pickRecord(const Box& box, const Placement& placement, const packing::Vec3& nominal_mm) {
+  PickRecord record;
+  record.origin_mm = millimeters(placement.origin);
+  record.placed_size_mm = millimeters(placement.size);
+  record.measured = measuredSize(box);
+  record.nominal_mm = standingSize(nominal_mm, record.measured);
+  return record;
 }
 
 std::string progressLine(const PickRecord& pick, std::size_t done, std::size_t total) {

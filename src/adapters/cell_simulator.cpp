@@ -71,6 +71,7 @@ CellSimulator::CellSimulator(const ros::NodeHandle& node, const ros::NodeHandle&
 }
 
 bool CellSimulator::onCapture(std_srvs::EmptyRequest& /*request*/, std_srvs::EmptyResponse& /*response*/) {
+  const std::lock_guard<std::mutex> lock(mutex_);
   try {
     capture();
     return true;
@@ -111,6 +112,7 @@ void CellSimulator::capture() {
 }
 
 bool CellSimulator::onTake(TakeBoxRequest& request, TakeBoxResponse& response) {
+  const std::lock_guard<std::mutex> lock(mutex_);
   try {
     take(request, response);
   } catch (const std::exception& error) {

@@ -1,4 +1,5 @@
 // The robot executive in small: plays one order to its end. Parameters: config/cell_executive.yaml.
+#include <cstdio>
 #include <exception>
 
 #include <ros/ros.h>
@@ -6,6 +7,7 @@
 #include <mixed_palletizing/adapters/cell_executive.hpp>
 
 int main(int argc, char** argv) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // warnings on stderr must not cut lines in a log of both
   try {
     ros::init(argc, argv, "cell_executive");
     const ros::NodeHandle node;

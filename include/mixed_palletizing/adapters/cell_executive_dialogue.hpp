@@ -41,7 +41,8 @@ class CellDialogue {
   void pick(const CellLook& look, const ChooseNextPickResponse& answer);
   void discardAll(const CellLook& look, const ChooseNextPickResponse& answer);
   void throwOutUnidentified(const CellLook& look, const ChooseNextPickResponse& answer);
-  void take(const std_msgs::Header& header, const geometry_msgs::Point& point, bool discard);
+  TakeBoxResponse take(const std_msgs::Header& header, const geometry_msgs::Point& point, bool discard);
+  void throwOut(const std_msgs::Header& header, const geometry_msgs::Point& point, DiscardRecord record);
   void reportOutcome(std::uint64_t decision_id, std::uint8_t outcome);
   void finish();
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <mixed_palletizing/Box.h>
+#include <mixed_palletizing/Placement.h>
 #include <mixed_palletizing/instances/instance.hpp>
 
 namespace mixed_palletizing::adapters {
@@ -25,7 +26,8 @@ std::array<double, 3> standingSize(const packing::Vec3& size_mm, const MeasuredS
 
 struct PickRecord {
   std::string type_id;
-  std::array<double, 3> origin_mm{};       ///< corner nearest the pallet's origin
+  std::uint32_t item = 0;             ///< index in the sequence of arrival, as the simulated cell knows it
+  std::array<double, 3> origin_mm{};  ///< corner nearest the pallet's origin
   std::array<double, 3> placed_size_mm{};  ///< along the pallet's x, y, z
   MeasuredSize measured;
   std::array<double, 3> nominal_mm{};  ///< standingSize() of the type
@@ -37,10 +39,14 @@ struct PickRecord {
   double utilization = 0.0;  ///< after this pick, [0, 1]
 };
 
+/// What a detected box and its place say; `nominal_mm` is the size of its type.
+PickRecord pickRecord(const Box& box, const Placement& placement, const packing::Vec3& nominal_mm);
+
 struct DiscardRecord {
   std::string type_id;  ///< empty when the box was not identified
   std::string reason;
-  MeasuredSize measured;  ///< zeros for what was not even detected as a box
+  MeasuredSize measured;   ///< zeros for what was not even detected as a box
+  std::uint32_t item = 0;  ///< as in PickRecord
 };
 
 struct CellReport {

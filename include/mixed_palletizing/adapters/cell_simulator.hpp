@@ -1,7 +1,7 @@
 // The simulated cell at the ROS border: the camera driver's topics and services before a pick area.
 #pragma once
 
-#include <memory>
+#include <mutex>
 
 #include <ros/node_handle.h>
 #include <std_srvs/Empty.h>
@@ -35,6 +35,7 @@ class CellSimulator {
 
   const CellSimulatorOptions options_;
   const instances::Instance instance_;
+  std::mutex mutex_;  // guards scene_, area_ and captures_: a nodelet's callbacks may run at the same time
   simulation::Scene scene_;
   PickArea area_;
   std::uint64_t captures_ = 0;

@@ -115,6 +115,8 @@ class FakeCell : public CellLink {
     response.message = "nothing there";
     if (!response.success) return response;
     (discard ? thrown : packed).push_back(found->name);
+    response.type_id = taken_type;
+    response.item = static_cast<std::uint32_t>(found->name);
     area.erase(found);
     if (!discard || area.empty()) fill();
     return response;
@@ -135,6 +137,7 @@ class FakeCell : public CellLink {
   bool calibration_works = true;
   bool forgets_calibration = false;
   bool takes = true;
+  std::string taken_type = "a";
   int bad_looks = 0;
   std::uint8_t bad_look_status = DetectBoxesResponse::TIMEOUT;
   std::uint8_t start_status = StartPalletResponse::OK;
@@ -253,6 +256,7 @@ TEST(CellDialogue, PlaysAnOrderToItsEnd) {
   EXPECT_NEAR(report.picks[1].utilization, 2 * 0.4 * 0.3 * 0.2 / (1.2 * 0.8 * 0.6), 1e-9);
   EXPECT_EQ(report.picks[0].nominal_mm, (std::array<double, 3>{400, 300, 200}));
   EXPECT_NEAR(report.picks[0].measured.size_mm[0], 401.0, 1e-9);
+  EXPECT_EQ(report.picks[3].item, 4U);
   EXPECT_EQ(report.picks[0].available, 3U);
   EXPECT_EQ(report.picks[4].available, 1U);
   const std::vector<std::string> first{"start", "capture", "detect", "choose",
@@ -319,6 +323,7 @@ TEST(CellDialogue, DiscardsAllWhenNoneFits) {
   EXPECT_EQ(cell.thrown, (std::vector<int>{2, 3, 4}));
   ASSERT_EQ(report.discards.size(), 3U);
   EXPECT_EQ(report.discards[0].type_id, "a");
+  EXPECT_EQ(report.discards[0].item, 2U);
   EXPECT_EQ(report.discards[0].reason, "no room");
   ASSERT_EQ(cell.reports.size(), 5U);
   EXPECT_EQ(cell.reports[1].outcome, ReportPickRequest::DISCARDED);
@@ -384,6 +389,9 @@ TEST(CellDialogue, EndsWithTheReasonOfARefusal) {
   FakeCell stuck(boxes(3));
   stuck.takes = false;
   EXPECT_EQ(play(stuck).message, "take_box: nothing there");
+  FakeCell mistaken(boxes(3));
+  mistaken.taken_type = "b";
+  EXPECT_EQ(play(mistaken).message, "take_box: the box that was packed as a is a b");
   FakeCell missing(boxes(3));
   missing.forgotten = 2;
   EXPECT_EQ(play(missing).message, "the planner still waits for 2 boxes");

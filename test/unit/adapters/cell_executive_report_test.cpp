@@ -28,7 +28,7 @@ CellReport someReport() {
   pick.utilization = 0.125;
   report.picks = {pick, pick};
   report.picks[1].measured.size_mm = {398.0, 300.5, 200.25};
-  report.discards = {{"b", "no room", {}}, {"", "nothing fits \xff", {}}};
+  report.discards = {{"b", "no room", {}, 5}, {"", "nothing fits \xff", {}, 6}};
   report.utilization = 0.25;
   report.capture_ms = {100, 300, 200};
   report.decision_ms = {41.4, 41.4};
@@ -49,6 +49,7 @@ TEST(CellReport, JsonHoldsEverything) {
   EXPECT_EQ(json["picks"][0]["measured_mm"][0], 401.235);
   EXPECT_TRUE(json["discards"][1]["type"].is_null());
   EXPECT_EQ(json["discards"][0]["type"], "b");
+  EXPECT_EQ(json["discards"][0]["item"], 5);
   EXPECT_EQ(json["times_ms"]["capture"]["median"], 200);
   EXPECT_EQ(json["times_ms"]["capture"]["max"], 300);
   EXPECT_EQ(json["times_ms"]["detection"]["count"], 0);
