@@ -55,7 +55,7 @@ BaseFrameKeeper::~BaseFrameKeeper() = default;
 
 void BaseFrameKeeper::restore() {
   const Calibration kept = readCalibration(options_.calibration_file);
-  if (kept.base_frame != options_.base_frame) {
+  if (!kept.base_frame.empty() && kept.base_frame != options_.base_frame) {
     throw std::runtime_error(options_.calibration_file + ": its base frame is '" + kept.base_frame +
                              "', not '" + options_.base_frame + "'");
   }
@@ -65,11 +65,15 @@ void BaseFrameKeeper::restore() {
   publish();
 }
 
-BaseFrameAnswer BaseFrameKeeper::find(const std::string& camera_frame, const ros::Time& stamp) const {
+BaseFrameAnswer BaseFrameKeeper::find(const std::string& camera_frame, const ros::Time& stamp) {
   if (options_.base_source == BaseSource::kTf) return lookUp(camera_frame, stamp);
   std::lock_guard<std::mutex> lock(mutex_);
   if (!base_from_camera_) {
     return missing("not_calibrated", "there is no base frame yet: call the service calibrate");
+  }
+  if (camera_frame_.empty()) {  // a file that names no camera is of the first one that comes
+    camera_frame_ = camera_frame;
+    publish();
   }
   if (camera_frame != camera_frame_) {
     return missing("wrong_camera_frame", "the cloud comes from frame '" + camera_frame +
@@ -113,7 +117,7 @@ void BaseFrameKeeper::set(const std::string& camera_frame, const geometry::Pose&
 }
 
 void BaseFrameKeeper::publish() const {
-  if (!options_.publish_tf) return;
+  if (!options_.publish_tf || camera_frame_.empty()) return;
   const ros::Time now = ros::Time::now();
   if (options_.tf_direction == TfDirection::kCameraToBase) {
     publishStaticTransform(camera_frame_, options_.base_frame, base_from_camera_->inverse(), now);

@@ -33,10 +33,8 @@ cv::Mat picture(const geometry::CloudView& view) {
 
 }  // namespace
 
-CalibrationRun::CalibrationRun(const DetectorOptions& options, const CalibrateRequest& request,
-                               CalibrateResponse& response)
+CalibrationRun::CalibrationRun(const DetectorOptions& options, const CalibrateRequest& request)
     : options_(options),
-      response_(response),
       wanted_(request.cloud_count > 0 ? request.cloud_count
                                       : static_cast<std::size_t>(options.calibration_clouds)) {
   const bool given = options_.base_source == BaseSource::kFile || options_.base_source == BaseSource::kTf;

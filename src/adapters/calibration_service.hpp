@@ -14,14 +14,15 @@
 
 namespace mixed_palletizing::adapters {
 
-/// Collects the frames of the clouds and writes the response.
+/// Collects the frames of the clouds and makes the response.
 class CalibrationRun {
  public:
-  CalibrationRun(const DetectorOptions& options, const CalibrateRequest& request,
-                 CalibrateResponse& response);
+  CalibrationRun(const DetectorOptions& options, const CalibrateRequest& request);
 
-  /// The request itself was refused; the response says why.
-  bool refused() const { return failed_; }
+  const CalibrateResponse& response() const { return response_; }
+
+  /// The request was refused, or a cloud failed; the response says why.
+  bool failed() const { return failed_; }
   void fail(std::uint8_t status, const std::string& message);
 
   /// More clouds are needed, and none failed.
@@ -31,12 +32,12 @@ class CalibrationRun {
   /// The cloud's picture with the markers that were seen in it, BGR8.
   sensor_msgs::ImagePtr markerImage(const AcceptedCloud& cloud) const;
 
-  /// Puts the mean frame into use unless something failed.
+  /// Puts the mean frame into use unless something failed. Throws what BaseFrameKeeper::set() throws.
   void finish(BaseFrameKeeper& keeper);
 
  private:
   const DetectorOptions& options_;
-  CalibrateResponse& response_;
+  CalibrateResponse response_;
   bool failed_ = false;
   std::size_t wanted_ = 0;
   std::string camera_frame_;

@@ -4,10 +4,11 @@ namespace mixed_palletizing::adapters {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-DetectorDiagnostics::DetectorDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
-                                         const std::string& name, const FaultCounter& drops,
+DetectorDiagnostics::DetectorDiagnostics(const ros::NodeHandle& private_node, const FaultCounter& drops,
                                          const BaseFrameKeeper& base_frame)
-    : drops_(drops), base_frame_(base_frame), updater_(node, private_node, name) {
+    : drops_(drops),
+      base_frame_(base_frame),
+      updater_(private_node, private_node, private_node.getNamespace()) {
   updater_.setHardwareID("none");
   updater_.add("clouds", this, &DetectorDiagnostics::reportClouds);
   updater_.add("base frame", this, &DetectorDiagnostics::reportBaseFrame);

@@ -18,8 +18,8 @@ namespace mixed_palletizing::adapters {
 /// Thread safe.
 class DetectorDiagnostics {
  public:
-  DetectorDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
-                      const std::string& name, const FaultCounter& drops, const BaseFrameKeeper& base_frame);
+  DetectorDiagnostics(const ros::NodeHandle& private_node, const FaultCounter& drops,
+                      const BaseFrameKeeper& base_frame);
 
   void cloudArrived(const std::string& camera_frame);
   void cloudDropped();

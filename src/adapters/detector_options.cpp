@@ -46,6 +46,7 @@ DetectorOptions readDetectorOptions(const YAML::Node& tree) {
       {{"camera_to_base", TfDirection::kCameraToBase}, {"base_to_camera", TfDirection::kBaseToCamera}});
   reader.read("calibration_file", options.calibration_file);
   reader.read("calibration_clouds", options.calibration_clouds);
+  reader.read("calibrate_on_start", options.calibrate_on_start);
   reader.read("cloud_timeout_s", options.cloud_timeout_s);
   reader.read("tf_timeout_s", options.tf_timeout_s);
   reader.read("capture_service", options.capture_service);

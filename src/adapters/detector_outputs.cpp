@@ -14,6 +14,7 @@
 #include <mixed_palletizing/adapters/box_messages.hpp>
 #include <mixed_palletizing/adapters/markers.hpp>
 #include <mixed_palletizing/adapters/names.hpp>
+#include <mixed_palletizing/adapters/parameters.hpp>
 
 namespace mixed_palletizing::adapters {
 namespace {
@@ -24,7 +25,8 @@ constexpr std::array<const char*, 4> kStages{"floor", "clusters", "tops", "edges
 using StageCloud = pcl::PointCloud<pcl::PointXYZRGB>;
 
 /// The points one stage kept, unorganized, in the camera's frame.
-boost::shared_ptr<StageCloud> stageCloud(const AcceptedCloud& cloud, const std::vector<std::uint32_t>& pixels) {
+boost::shared_ptr<StageCloud> stageCloud(const AcceptedCloud& cloud,
+                                         const std::vector<std::uint32_t>& pixels) {
   auto points = boost::make_shared<StageCloud>();
   pcl_conversions::toPCL(cloud.message->header, points->header);
   points->reserve(pixels.size());
@@ -52,10 +54,11 @@ bool listenedTo(const ros::Publisher& publisher) { return publisher.getNumSubscr
 
 }  // namespace
 
-DetectorOutputs::DetectorOutputs(ros::NodeHandle& node, ros::NodeHandle& private_node)
-    : boxes_(node.advertise<BoxArray>(names::kBoxes, 10)),
-      markers_(node.advertise<visualization_msgs::MarkerArray>(names::kMarkers, 1, true)),
-      labels_(node.advertise<sensor_msgs::Image>(names::kLabels, 2)) {
+DetectorOutputs::DetectorOutputs(ros::NodeHandle& private_node)
+    : boxes_(private_node.advertise<BoxArray>(siblingName(private_node, names::kBoxes), 10)),
+      markers_(private_node.advertise<visualization_msgs::MarkerArray>(
+          siblingName(private_node, names::kMarkers), 1, true)),
+      labels_(private_node.advertise<sensor_msgs::Image>(siblingName(private_node, names::kLabels), 2)) {
   for (const char* stage : kStages) {
     stages_[stage] = private_node.advertise<StageCloud>(std::string(names::kDebugPrefix) + stage, 1);
   }

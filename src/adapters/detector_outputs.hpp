@@ -16,8 +16,8 @@ namespace mixed_palletizing::adapters {
 
 class DetectorOutputs {
  public:
-  /// Topics boxes, markers, labels in the namespace of `node`, debug clouds in that of `private_node`.
-  DetectorOutputs(ros::NodeHandle& node, ros::NodeHandle& private_node);
+  /// Topics boxes, markers, labels in the namespace around `private_node`, debug clouds in that itself.
+  explicit DetectorOutputs(ros::NodeHandle& private_node);
 
   /// Somebody listens to what a detection gives.
   bool wanted() const;

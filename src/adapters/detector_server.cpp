@@ -39,24 +39,24 @@ bool goodTimeout(double timeout_s) { return timeout_s >= 0.0 && timeout_s <= kLo
 
 }  // namespace
 
-DetectorServer::DetectorServer(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
+DetectorServer::DetectorServer(const ros::NodeHandle& private_node)
     : options_(readDetectorOptions(parameterTree(private_node))),
-      node_(onQueue(node, &cloud_queue_)),
-      private_node_(onQueue(private_node, &service_queue_)),
+      cloud_node_(onQueue(private_node, &cloud_queue_)),
+      service_node_(onQueue(private_node, &service_queue_)),
       drops_([](const std::string& line) { ROS_WARN_STREAM("cloud dropped: " << line); }, kWarningInterval),
       base_frame_(options_),
-      outputs_(std::make_unique<DetectorOutputs>(node_, private_node_)),
-      diagnostics_(std::make_unique<DetectorDiagnostics>(node_, private_node_, private_node_.getNamespace(),
-                                                         drops_, base_frame_)),
+      outputs_(std::make_unique<DetectorOutputs>(service_node_)),
+      diagnostics_(std::make_unique<DetectorDiagnostics>(service_node_, drops_, base_frame_)),
       detector_(options_.detection),
       cloud_spinner_(1, &cloud_queue_),
       service_spinner_(kServiceThreads, &service_queue_) {
-  marker_image_ = private_node_.advertise<sensor_msgs::Image>(names::kMarkerImage, 1);
-  points_ = node_.subscribe(names::kPoints, 1, &DetectorServer::onCloud, this);
-  detect_service_ = private_node_.advertiseService(names::kDetect, &DetectorServer::onDetect, this);
-  calibrate_service_ = private_node_.advertiseService(names::kCalibrate, &DetectorServer::onCalibrate, this);
+  marker_image_ = service_node_.advertise<sensor_msgs::Image>(names::kMarkerImage, 1);
+  points_ =
+      cloud_node_.subscribe(siblingName(private_node, names::kPoints), 1, &DetectorServer::onCloud, this);
+  detect_service_ = service_node_.advertiseService(names::kDetect, &DetectorServer::onDetect, this);
+  calibrate_service_ = service_node_.advertiseService(names::kCalibrate, &DetectorServer::onCalibrate, this);
   diagnostics_timer_ =
-      private_node_.createSteadyTimer(ros::WallDuration(kDiagnosticsPeriodS),
+      service_node_.createSteadyTimer(ros::WallDuration(kDiagnosticsPeriodS),
                                       [this](const ros::SteadyTimerEvent&) { diagnostics_->update(); });
   cloud_spinner_.start();
   service_spinner_.start();
@@ -85,6 +85,7 @@ void DetectorServer::onCloud(const sensor_msgs::PointCloud2ConstPtr& message) {
     cloud.message = message;
     cloud.view = *checked.view;
     cloud.sequence = inbox_.accept(cloud);
+    if (options_.calibrate_on_start && !base_frame_.calibrated()) calibrateWith(cloud);
     if (outputs_->wanted()) process(cloud);
   } catch (const std::exception& error) {
     drops_.count("fault", error.what());
@@ -136,7 +137,7 @@ Arrival DetectorServer::awaitCloud(std::uint64_t sequence, double timeout_s, con
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(wait);
   if (!options_.capture_service.empty()) {
     std_srvs::Empty capture;  // the same on the wire as zivid_camera/Capture
-    if (!ros::service::call(ros::names::resolve(options_.capture_service), capture)) {
+    if (!ros::service::call(siblingName(service_node_, options_.capture_service), capture)) {
       ROS_WARN_STREAM("capture_service " << options_.capture_service << " does not answer");
     }
   }
@@ -199,10 +200,10 @@ bool DetectorServer::onCalibrate(CalibrateRequest& request, CalibrateResponse& r
 }
 
 void DetectorServer::calibrate(const CalibrateRequest& request, CalibrateResponse& response) {
-  CalibrationRun run(options_, request, response);
-  if (run.refused()) return;
+  CalibrationRun run(options_, request);
   const std::unique_lock<std::mutex> lock(calibrating_, std::try_to_lock);
-  if (!lock.owns_lock()) return run.fail(CalibrateResponse::BUSY, "another calibration is under way");
+  if (!run.failed() && !lock.owns_lock())
+    run.fail(CalibrateResponse::BUSY, "another calibration is under way");
   while (run.wantsCloud()) {
     const Arrival arrival = awaitCloud(inbox_.sequence(), request.timeout, ros::Time());
     run.add(arrival);
@@ -211,6 +212,27 @@ void DetectorServer::calibrate(const CalibrateRequest& request, CalibrateRespons
     }
   }
   run.finish(base_frame_);
+  response = run.response();
+}
+
+void DetectorServer::calibrateWith(const AcceptedCloud& cloud) {
+  const std::unique_lock<std::mutex> lock(calibrating_, std::try_to_lock);
+  if (!lock.owns_lock()) return;  // the service is at it
+  if (!first_calibration_)
+    first_calibration_ = std::make_unique<CalibrationRun>(options_, CalibrateRequest());
+  Arrival arrival;
+  arrival.kind = Arrival::Kind::kCloud;
+  arrival.cloud = cloud;
+  first_calibration_->add(arrival);
+  if (first_calibration_->wantsCloud()) return;
+  // After a failure the next cloud begins anew.
+  const std::unique_ptr<CalibrationRun> run = std::move(first_calibration_);
+  run->finish(base_frame_);
+  if (run->failed()) {
+    drops_.count("not_calibrated", run->response().message);
+  } else {
+    ROS_INFO_STREAM("calibration with the first clouds: " << run->response().message);
+  }
 }
 
 }  // namespace mixed_palletizing::adapters

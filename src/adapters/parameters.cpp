@@ -3,6 +3,7 @@
 #include <string>
 
 #include <XmlRpcValue.h>
+#include <ros/names.h>
 
 #include <mixed_palletizing/adapters/parameters.hpp>
 
@@ -49,6 +50,11 @@ YAML::Node parameterTree(const ros::NodeHandle& private_node) {
     return YAML::Node(YAML::NodeType::Map);
   }
   return toYaml(tree, private_node.getNamespace());
+}
+
+std::string siblingName(const ros::NodeHandle& private_node, const std::string& name) {
+  const std::string around = ros::names::parentNamespace(private_node.getNamespace());
+  return private_node.resolveName(name.rfind('/', 0) == 0 ? name : ros::names::append(around, name));
 }
 
 std::string expandPath(const std::string& path) {

@@ -34,7 +34,7 @@ class BaseFrameKeeper {
   ~BaseFrameKeeper();
 
   /// Base frame of a cloud from `camera_frame` at time `stamp`.
-  BaseFrameAnswer find(const std::string& camera_frame, const ros::Time& stamp) const;
+  BaseFrameAnswer find(const std::string& camera_frame, const ros::Time& stamp);
 
   /// Takes a new calibration into use: kept in the file, published on /tf_static. Throws std::runtime_error
   /// when the file cannot be written; nothing has changed then.

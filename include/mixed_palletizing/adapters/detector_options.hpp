@@ -31,9 +31,10 @@ struct DetectorOptions {
   TfDirection tf_direction = TfDirection::kCameraToBase;
   std::string calibration_file;  ///< where a calibration is kept and found at the next start; empty: not kept
   int calibration_clouds = 3;    ///< clouds that one calibration averages
-  double cloud_timeout_s = 10.0;  ///< how long services wait for a cloud
-  double tf_timeout_s = 0.2;      ///< how long a cloud waits for its transform with base_source tf
-  std::string capture_service;    ///< of the camera, called when a service needs a cloud; empty: never
+  bool calibrate_on_start = false;  ///< with the first clouds, when there is no calibration
+  double cloud_timeout_s = 10.0;    ///< how long services wait for a cloud
+  double tf_timeout_s = 0.2;        ///< how long a cloud waits for its transform with base_source tf
+  std::string capture_service;      ///< of the camera, called when a service needs a cloud; empty: never
   detection::DetectionOptions detection;
 };
 

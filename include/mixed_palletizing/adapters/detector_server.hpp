@@ -23,6 +23,7 @@
 
 namespace mixed_palletizing::adapters {
 
+class CalibrationRun;
 class DetectorOutputs;
 class DetectorDiagnostics;
 
@@ -31,9 +32,10 @@ class DetectorDiagnostics;
 /// exception out.
 class DetectorServer {
  public:
-  /// `node`: namespace of the topics, `private_node`: of parameters and services. Throws std::invalid_argument
-  /// with all wrong parameters, std::runtime_error when a calibration that is needed cannot be read.
-  DetectorServer(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
+  /// Parameters and services are private to `private_node`, topics lie in the namespace around it. Throws
+  /// std::invalid_argument with all wrong parameters, std::runtime_error when a calibration that is needed
+  /// cannot be read.
+  explicit DetectorServer(const ros::NodeHandle& private_node);
   ~DetectorServer();
 
  private:
@@ -50,6 +52,9 @@ class DetectorServer {
   void detect(const DetectBoxesRequest& request, DetectBoxesResponse& response);
   void calibrate(const CalibrateRequest& request, CalibrateResponse& response);
 
+  /// One of the first clouds, when nobody calibrated yet and the node may do so itself.
+  void calibrateWith(const AcceptedCloud& cloud);
+
   Processed process(const AcceptedCloud& cloud);
   Processed detectIn(const AcceptedCloud& cloud);
   /// The next cloud after arrival `sequence` that is not older than `not_before`; triggers the camera when its
@@ -59,14 +64,15 @@ class DetectorServer {
   const DetectorOptions options_;
   ros::CallbackQueue cloud_queue_;
   ros::CallbackQueue service_queue_;
-  ros::NodeHandle node_;
-  ros::NodeHandle private_node_;
+  ros::NodeHandle cloud_node_;    // calls back on the cloud thread
+  ros::NodeHandle service_node_;  // calls back on the service threads
   FaultCounter drops_;
   CloudInbox inbox_;
   BaseFrameKeeper base_frame_;
   std::unique_ptr<DetectorOutputs> outputs_;
   std::unique_ptr<DetectorDiagnostics> diagnostics_;
   std::mutex calibrating_;
+  std::unique_ptr<CalibrationRun> first_calibration_;  // of the cloud thread
 
   std::mutex processing_;  // guards the next three
   detection::BoxDetector detector_;

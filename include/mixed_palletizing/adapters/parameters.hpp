@@ -10,6 +10,10 @@ namespace mixed_palletizing::adapters {
 /// when there is none. Throws std::invalid_argument for a value of a type that no option has (a date, bytes).
 YAML::Node parameterTree(const ros::NodeHandle& private_node);
 
+/// Absolute name of `name` in the namespace around a node's private one, remapped as that node's names are. For
+/// a nodelet: its public NodeHandle falls into the manager's namespace when its own is the global one.
+std::string siblingName(const ros::NodeHandle& private_node, const std::string& name);
+
 /// The path with a leading "~/" replaced by the home directory; others stay as they are. Throws
 /// std::invalid_argument when there is no HOME.
 std::string expandPath(const std::string& path);
