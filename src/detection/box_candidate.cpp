@@ -127,17 +127,19 @@ FoundBox BoxCandidate::describe(const Context& context, const RectangleFit& fit)
   found.top_m = band_.high_m;
   DetectedBox& box = found.box;
   const geometry::Rectangle& r = found.footprint;
-  box.top_center = Eigen::Vector3d(r.center.x(), r.center.y(), height_.mean_m);
-  box.center = Eigen::Vector3d(r.center.x(), r.center.y(), 0.5 * height_.mean_m);
+  const TopSurface surface = measureSurface(context.cloud, top_, r, height_.mean_m, band_.low_m);
+  const double height = surface.height_m;
+  box.top_center = Eigen::Vector3d(r.center.x(), r.center.y(), height);
+  box.center = Eigen::Vector3d(r.center.x(), r.center.y(), 0.5 * height);
   box.yaw_rad = r.yaw_rad;
-  box.size = Eigen::Vector3d(r.size.x(), r.size.y(), height_.mean_m);
-  estimateUncertainty(fit, height_, context.noise.ripple_m, options_.box.max_side_m, box);
-  box.top_visibility = topVisibility(context.cloud, context.base_from_camera, top_, r, height_.mean_m);
-  const double uneven = unevenness(context.cloud, top_, r);
+  box.size = Eigen::Vector3d(r.size.x(), r.size.y(), height);
+  estimateUncertainty(fit, surface, context.noise.ripple_m, options_.box.max_side_m, box);
+  box.top_visibility = topVisibility(context.cloud, context.base_from_camera, top_, r, height);
   unsigned flags = 0;
   if (match_.occluded_ratio > kSeenShare) flags |= kOccluded;
   if (match_.border_ratio > kSeenShare) flags |= kTruncated;
-  if (uneven > std::max(options_.top.uneven_m, 2.0 * context.noise.floor_stddev_m)) flags |= kUnevenTop;
+  if (surface.uneven_m > std::max(options_.top.uneven_m, 2.0 * context.noise.floor_stddev_m))
+    flags |= kUnevenTop;
   if (fit.foundSides() < 4) flags |= kIncomplete;
   box.flags = static_cast<std::uint8_t>(flags);
   return found;

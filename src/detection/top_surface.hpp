@@ -1,5 +1,7 @@
-// How even a top is.
+// Height and evenness of a top, away from its edges.
 #pragma once
+
+#include <cstddef>
 
 #include <mixed_palletizing/geometry/rectangle.hpp>
 
@@ -8,8 +10,17 @@
 
 namespace mixed_palletizing::detection {
 
-/// Largest distance [m] of the mean height of one cell from the top's mean height, over the well filled cells of
-/// a grid on the rectangle: bulges, dents and tilt count, noise averages out.
-double unevenness(const BaseCloud& cloud, const RunRange& top, const geometry::Rectangle& rectangle);
+struct TopSurface {
+  double height_m = 0.0;  ///< mean of the heights, trimmed to the same distance above and below
+  double stddev_m = 0.0;
+  std::size_t count = 0;  ///< points that the mean is taken over
+  double uneven_m = 0.0;  ///< largest distance of a well filled cell's mean height from the height: bulges,
+                          ///< dents and tilt count, noise averages out
+};
+
+/// Surface of the points of `top` well inside the rectangle. `start_m` is the height found so far; points farther
+/// from the mean than start_m - low_m are left out, because the top itself was cut at low_m.
+TopSurface measureSurface(const BaseCloud& cloud, const RunRange& top, const geometry::Rectangle& rectangle,
+                          double start_m, double low_m);
 
 }  // namespace mixed_palletizing::detection

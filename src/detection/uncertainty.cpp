@@ -8,7 +8,7 @@ namespace {
 
 // The floor under the box is not seen; it strays from the plane by a share of the floor's own roughness.
 constexpr double kHiddenFloorShare = 0.3;
-// [m] What remains of a height when nothing is noisy: points of the sides' upper rims in the mean.
+// [m] What remains of a height when nothing is noisy: the last digits of the floor's plane.
 constexpr double kLeastHeight = 1e-5;
 
 double squared(double x) { return x * x; }
@@ -21,7 +21,7 @@ double offsetVariance(const SideFit& side, double size_m, double max_side_m) {
 
 }  // namespace
 
-void estimateUncertainty(const RectangleFit& fit, const TopHeight& top, double ripple_m, double max_side_m,
+void estimateUncertainty(const RectangleFit& fit, const TopSurface& top, double ripple_m, double max_side_m,
                          DetectedBox& box) {
   const geometry::Rectangle& r = fit.rectangle;
   std::array<double, 4> side{};

@@ -6,13 +6,13 @@
 #include <mixed_palletizing/detection/detections.hpp>
 
 #include "rectangle_fit.hpp"
-#include "top_plane.hpp"
+#include "top_surface.hpp"
 
 namespace mixed_palletizing::detection {
 
 /// Fills size_stddev and pose_covariance of `box` (yaw and size already set, from `fit`). A side that was not found
 /// may lie anywhere up to the largest box: its size gets the standard deviation of that range.
-void estimateUncertainty(const RectangleFit& fit, const TopHeight& top, double ripple_m, double max_side_m,
+void estimateUncertainty(const RectangleFit& fit, const TopSurface& top, double ripple_m, double max_side_m,
                          DetectedBox& box);
 
 }  // namespace mixed_palletizing::detection
