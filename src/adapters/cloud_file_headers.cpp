@@ -1,5 +1,6 @@
 #include "cloud_file_headers.hpp"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <sstream>
@@ -37,8 +38,8 @@ std::string tooLong(double promised, std::size_t file_bytes) {
 }  // namespace
 
 std::string pcdHeaderProblem(std::istream& file, std::size_t file_bytes) {
-  static const std::set<std::string> kKnown = {"VERSION", "FIELDS", "SIZE",      "TYPE",   "COUNT",
-                                               "WIDTH",   "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
+  static const std::set<std::string> known = {"VERSION", "FIELDS", "SIZE",      "TYPE",   "COUNT",
+                                              "WIDTH",   "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
   std::map<std::string, std::string> header;
   std::string line;
   for (int number = 1; header.count("DATA") == 0 && std::getline(file, line); ++number) {
@@ -47,7 +48,7 @@ std::string pcdHeaderProblem(std::istream& file, std::size_t file_bytes) {
     if (!(words >> key) || key[0] == '#') continue;
     std::string rest;
     std::getline(words >> std::ws, rest);
-    if (kKnown.count(key) == 0 || rest.empty() || !header.emplace(key, rest).second) {
+    if (known.count(key) == 0 || rest.empty() || !header.emplace(key, rest).second) {
       return "not a PCD file: line " + std::to_string(number) + " of its header is damaged";
     }
   }
@@ -63,11 +64,17 @@ std::string plyHeaderProblem(std::istream& file, std::size_t file_bytes) {
   std::string line;
   std::getline(file, line);
   if (line.compare(0, 3, "ply") != 0) return "not a PLY file";
+  double grid = 1.0;
   while (std::getline(file, line) && line.compare(0, 10, "end_header") != 0) {
-    if (line.compare(0, 8, "element ") != 0) continue;
-    const std::size_t last_word = line.find_last_of(' ') + 1;
-    for (double count : numbers(line.substr(last_word))) {  // an entry takes a byte at least
-      if (count > static_cast<double>(file_bytes)) return tooLong(count, file_bytes);
+    const bool is_element = line.compare(0, 8, "element ") == 0;
+    const bool is_grid =
+        line.find("num_cols") != std::string::npos || line.find("num_rows") != std::string::npos;
+    if (!is_element && !is_grid) continue;
+    for (const double count : numbers(line.substr(line.find_last_of(' ') + 1))) {
+      if (is_grid) grid *= std::max(count, 1.0);
+      const double least_bytes =
+          is_grid ? grid : count;  // an entry takes a byte at least, and so does a cell
+      if (least_bytes > static_cast<double>(file_bytes)) return tooLong(least_bytes, file_bytes);
     }
   }
   if (!file) return "not a PLY file: its header has no end";

@@ -41,6 +41,7 @@ std::uint32_t pack(const Eigen::Vector3f& rgb) {
 
 std::vector<Mesh> meshesOf(const std::vector<SceneObject>& objects) {
   std::vector<Mesh> meshes;
+  meshes.reserve(objects.size());
   for (const SceneObject& object : objects) meshes.push_back(object.mesh);
   return meshes;
 }

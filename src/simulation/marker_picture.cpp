@@ -10,7 +10,7 @@ namespace mixed_palletizing::simulation {
 namespace {
 
 const std::map<std::string, int>& dictionaryCodes() {
-  static const std::map<std::string, int> kCodes = {
+  static const std::map<std::string, int> codes = {
       {"DICT_4X4_50", cv::aruco::DICT_4X4_50},
       {"DICT_4X4_100", cv::aruco::DICT_4X4_100},
       {"DICT_4X4_250", cv::aruco::DICT_4X4_250},
@@ -33,7 +33,7 @@ const std::map<std::string, int>& dictionaryCodes() {
       {"DICT_APRILTAG_36h10", cv::aruco::DICT_APRILTAG_36h10},
       {"DICT_APRILTAG_36h11", cv::aruco::DICT_APRILTAG_36h11},
   };
-  return kCodes;
+  return codes;
 }
 
 cv::Ptr<cv::aruco::Dictionary> dictionaryOf(const std::string& name) {
@@ -73,7 +73,8 @@ std::optional<bool> MarkerPicture::isWhite(double x, double y) const {
   const int col = static_cast<int>(std::floor((x / side_m_ + 0.5) * cells_));
   const int row = static_cast<int>(std::floor((0.5 - y / side_m_) * cells_));
   if (col < 0 || row < 0 || col >= cells_ || row >= cells_) return quiet_zone_white_;
-  return white_[static_cast<std::size_t>(row * cells_ + col)] != 0;
+  return white_[static_cast<std::size_t>(row) * static_cast<std::size_t>(cells_) +
+                static_cast<std::size_t>(col)] != 0;
 }
 
 }  // namespace mixed_palletizing::simulation

@@ -139,7 +139,7 @@ YAML::Node parse(const std::string& path) {
 
 Scene loadScene(const std::string& path) {
   YamlReport report(path);
-  const Scene scene = readScene(YamlSection(parse(path), "", report));
+  Scene scene = readScene(YamlSection(parse(path), "", report));
   report.throwIfAny();
   for (const std::string& problem : problems(scene)) {
     const std::size_t colon = problem.find(": ");

@@ -51,10 +51,12 @@ class FloorSurface : public Surface {
     const Eigen::Vector3d point = marker_from_camera_ * (hit.depth_m * direction);
     if (point.head<2>().cwiseAbs().maxCoeff() > picture_->paperSide()) return rgb_;
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    for (int i = 0; i < kPaperSamples * kPaperSamples; ++i) {
-      const double du = (i % kPaperSamples + 0.5) / kPaperSamples - 0.5;
-      const double dv = (i / kPaperSamples + 0.5) / kPaperSamples - 0.5;
-      sum += ink(direction + pixel_step_ * Eigen::Vector3d(du, dv, 0.0));
+    for (int row = 0; row < kPaperSamples; ++row) {
+      for (int col = 0; col < kPaperSamples; ++col) {
+        const double du = (col + 0.5) / kPaperSamples - 0.5;
+        const double dv = (row + 0.5) / kPaperSamples - 0.5;
+        sum += ink(direction + pixel_step_ * Eigen::Vector3d(du, dv, 0.0));
+      }
     }
     return sum / static_cast<float>(kPaperSamples * kPaperSamples);
   }
