@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include <mixed_palletizing/geometry/organized_cloud.hpp>
 #include <mixed_palletizing/simulation/random_scene.hpp>
 
 namespace mixed_palletizing::simulation {
@@ -31,5 +32,13 @@ inline std::size_t pixelIndex(const Scene& scene, int row, int col) {
   return static_cast<std::size_t>(row) * static_cast<std::size_t>(scene.camera.width_px) +
          static_cast<std::size_t>(col);
 }
+
+/// A point of the cloud in the world.
+inline Eigen::Vector3d worldPoint(const Scene& scene, const geometry::ColoredPoint& point) {
+  return scene.camera.world_from_camera * Eigen::Vector3d(point.x, point.y, point.z);
+}
+
+/// Rays along an edge may fall to either side in single precision: this share of all pixels may differ.
+constexpr double kEdgeRatio = 0.001;
 
 }  // namespace mixed_palletizing::simulation
