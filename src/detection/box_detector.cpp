@@ -7,6 +7,7 @@
 //   outline, hull_edges convex hull and edges (Algorithms 1 and 2)
 //   rectangle_from_edges  position, yaw, size (3.2.3), then rectangle_fit beyond the thesis
 //   uncertainty, top_surface, top_visibility  what the rectangle is worth
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -71,6 +72,22 @@ void flagTouching(const std::vector<geometry::Rectangle>& footprints, double dis
   }
 }
 
+/// A side face seen at a flat angle falls into clusters of its own: they are parts of the box above, not refused
+/// things.
+void forgetParts(const std::vector<geometry::Rectangle>& footprints, double margin_m, Detections& result) {
+  const auto is_part = [&](const RejectedCluster& cluster) {
+    for (std::size_t i = 0; i < footprints.size(); ++i) {
+      if (cluster.centroid.z() < result.boxes[i].size.z() &&
+          footprints[i].contains(cluster.centroid.head<2>(), margin_m)) {
+        return true;
+      }
+    }
+    return false;
+  };
+  result.rejected.erase(std::remove_if(result.rejected.begin(), result.rejected.end(), is_part),
+                        result.rejected.end());
+}
+
 }  // namespace
 
 class BoxDetector::Impl {
@@ -100,6 +117,7 @@ class BoxDetector::Impl {
               keep_stages ? &stages : nullptr);
     }
     flagTouching(footprints_, options_.box.touching_distance_m + 2.0 * noise.floor_stddev_m, result.boxes);
+    forgetParts(footprints_, static_cast<double>(limits.distance_m), result);
     if (keep_stages) {
       addFloor(cloud, limits.low_m, stages.floor);
       result.stage_pixels = {stages.floor, stages.clusters, stages.tops, stages.edges};

@@ -7,6 +7,8 @@
 #include <pcl/point_types.h>
 #include <pcl/surface/convex_hull.h>
 
+#include "quiet_pcl.hpp"
+
 namespace mixed_palletizing::detection {
 namespace {
 
@@ -22,7 +24,7 @@ bool onOneLine(const std::vector<Eigen::Vector2d>& points) {
   mean /= static_cast<double>(points.size());
   Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
   for (const Eigen::Vector2d& p : points) squares += (p - mean) * (p - mean).transpose();
-  return squares.determinant() < 1e-8 * squares.trace() * squares.trace();
+  return !(squares.determinant() > 1e-8 * squares.trace() * squares.trace());
 }
 
 }  // namespace
@@ -34,6 +36,7 @@ geometry::Polygon convexHull(const std::vector<Eigen::Vector2d>& points) {
   for (const Eigen::Vector2d& p : points) {
     cloud->push_back(pcl::PointXYZ(static_cast<float>(p.x()), static_cast<float>(p.y()), 0.0f));
   }
+  const QuietPcl quiet;
   pcl::ConvexHull<pcl::PointXYZ> quickhull;
   quickhull.setInputCloud(cloud);
   quickhull.setDimension(2);

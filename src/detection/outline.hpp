@@ -23,10 +23,11 @@ enum class Across {
 };
 
 struct OutlineSample {
-  Eigen::Vector2d measured;  ///< the last point, seen from above (base frame) [m]
-  Eigen::Vector2d at_top;    ///< the border ray at the height of the top [m]
-  Eigen::Vector2d at_band;   ///< the border ray at the lower end of the top band: where a side face begins
-  double pixel_m = 0.0;      ///< length of one pixel across the border, on the top
+  Eigen::Vector2d measured = Eigen::Vector2d::Zero();  ///< the last point, seen from above (base frame) [m]
+  Eigen::Vector2d at_top = Eigen::Vector2d::Zero();    ///< the border ray at the height of the top [m]
+  Eigen::Vector2d at_band =
+      Eigen::Vector2d::Zero();  ///< the border ray at the lower end of the top band: where a side face begins
+  double pixel_m = 0.0;         ///< length of one pixel across the border, on the top
   int row = 0;
   int col = 0;
   bool along_row = true;  ///< found along a row (else along a column)

@@ -11,6 +11,8 @@
 #include <pcl/sample_consensus/ransac.h>
 #include <pcl/sample_consensus/sac_model_plane.h>
 
+#include "quiet_pcl.hpp"
+
 namespace mixed_palletizing::detection {
 namespace {
 
@@ -59,6 +61,7 @@ Points::Ptr drawSubset(const geometry::CloudView& cloud, std::size_t valid, int 
 /// Best plane of the subset; PCL stops by eq. 3.4.
 std::optional<geometry::Plane> sampleConsensus(const Points::Ptr& subset, const PlaneOptions& options) {
   if (subset->size() < 3) return std::nullopt;
+  const QuietPcl quiet;
   const pcl::SampleConsensusModelPlane<pcl::PointXYZ>::Ptr model(
       new pcl::SampleConsensusModelPlane<pcl::PointXYZ>(subset));
   pcl::RandomSampleConsensus<pcl::PointXYZ> ransac(model, options.distance_m);
