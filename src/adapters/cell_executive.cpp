@@ -1,4 +1,5 @@
 #include <chrono>
+#include <cstdio>
 #include <stdexcept>
 #include <thread>
 
@@ -26,10 +27,17 @@ bool CellExecutive::run() {
   } catch (const CellError& error) {
     report.message = error.what();
   }
-  for (const std::string& line : summaryLines(report)) ROS_INFO("%s", line.c_str());
+  if (!report.capture_ms.empty()) {
+    for (const std::string& line : summaryLines(report)) ROS_INFO("%s", line.c_str());
+  }
   if (!options_.report.empty()) writeReport(options_.report, reportJson(report, instance_));
   if (!report.complete) {
-    ROS_FATAL("order %s is not complete: %s", instance_.name.c_str(), report.message.c_str());
+    const std::string reason = "order " + instance_.name + " is not complete: " + report.message;
+    if (ros::ok()) {
+      ROS_FATAL("%s", reason.c_str());
+    } else {
+      std::fprintf(stderr, "%s\n", reason.c_str());  // the log is down after an interrupt
+    }
     return false;
   }
   ROS_INFO("order %s is complete", instance_.name.c_str());

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
     const ros::NodeHandle private_node("~");
     return mixed_palletizing::adapters::CellExecutive(node, private_node).run() ? 0 : 1;
   } catch (const std::exception& error) {
-    ROS_FATAL("cell_executive: %s", error.what());
+    std::fprintf(stderr, "cell_executive: %s\n", error.what());  // the log is down by now
     return 1;
   }
 }

@@ -1,4 +1,5 @@
 // The simulated cell: a camera driver before a pick area of boxes. Parameters: config/cell_simulator.yaml.
+#include <cstdio>
 #include <exception>
 
 #include <ros/ros.h>
@@ -14,7 +15,7 @@ int main(int argc, char** argv) {
     ros::spin();
     return 0;
   } catch (const std::exception& error) {
-    ROS_FATAL("cell_simulator: %s", error.what());
+    std::fprintf(stderr, "cell_simulator: %s\n", error.what());  // the log is down by now
     return 1;
   }
 }
