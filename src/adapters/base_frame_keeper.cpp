@@ -1,5 +1,6 @@
 #include <chrono>
 #include <filesystem>
+#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -25,9 +26,9 @@ BaseFrameAnswer missing(const std::string& reason, const std::string& message) {
 std::string poseText(const geometry::Pose& base_from_camera) {
   const Eigen::Vector3d p = base_from_camera.translation();
   const Eigen::Vector3d view = base_from_camera.linear().col(2);
-  const Eigen::IOFormat format(3, 0, ", ", ", ", "", "", "(", ")");
   std::ostringstream text;
-  text << "camera at " << p.format(format) << " m, looking along " << view.format(format);
+  text << std::fixed << std::setprecision(3) << "camera at (" << p.x() << ", " << p.y() << ", " << p.z()
+       << ") m, looking along (" << view.x() << ", " << view.y() << ", " << view.z() << ")";
   return text.str();
 }
 

@@ -18,9 +18,10 @@ constexpr std::uint32_t kRefused = 0xd62728;
 constexpr std::uint32_t kWood = 0xa07850;
 constexpr std::uint32_t kSpace = 0x4aa3df;
 constexpr std::uint32_t kNext = 0xff7f0e;
-constexpr double kLineM = 0.006;
-constexpr double kLetterM = 0.055;
-constexpr double kCarrierM = 0.10;  // height of the carrier in the picture
+constexpr double kLineM = 0.007;
+constexpr double kLetterM = 0.07;
+constexpr double kInflateM = 0.006;  // drawn around the cloud's points, which would otherwise hide the faces
+constexpr double kCarrierM = 0.10;   // height of the carrier in the picture
 
 std::string millimeters(const geometry_msgs::Vector3& size) {
   const auto mm = [](double m) {
@@ -96,10 +97,10 @@ visualization_msgs::MarkerArrayPtr boxMarkers(const BoxArray& boxes) {
   MarkerSet set(boxes.header);
   for (const Box& box : boxes.boxes) {
     const geometry::Pose pose = poseOf(box.pose.pose);
-    const Eigen::Vector3d size = toEigen(box.size);
+    const Eigen::Vector3d size = toEigen(box.size).array() + kInflateM;
     const std::uint32_t tone = box.flags == 0 ? kGood : kFlagged;
-    set.cuboid("boxes", pose, size, color(tone, 0.35f));
-    set.edges("outlines", pose, size, kLineM, color(tone));
+    set.cuboid("boxes", pose, size, color(tone, 0.4f));
+    set.edges("outlines", pose, size, 1.5 * kLineM, color(tone));
     const Eigen::Vector3d above = toEigen(box.top_center) + Eigen::Vector3d(0, 0, kLetterM);
     set.text("labels", above, kLetterM,
              "#" + std::to_string(box.id) + "  " + millimeters(box.size) + flagWords(box.flags),
@@ -128,7 +129,7 @@ visualization_msgs::MarkerArrayPtr palletMarkers(const PalletState& state) {
   if (!state.placements.empty()) {
     set.sphere("center_of_gravity", toEigen(state.center_of_gravity), 0.05, color(kRefused));
   }
-  set.text("title", {size.x() / 2, size.y() / 2, size.z() + 2.5 * kLetterM}, 1.3 * kLetterM,
+  set.text("title", {size.x() / 2, size.y() / 2, size.z() + 4.0 * kLetterM}, 1.3 * kLetterM,
            state.pallet_id + ": " + std::to_string(state.placements.size()) + " boxes, " +
                std::to_string(std::lround(state.utilization * 100.0)) + " %",
            color(kWhite));
