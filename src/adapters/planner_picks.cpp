@@ -154,7 +154,8 @@ void PlannerServer::report(const ReportPickRequest& request, ReportPickResponse&
   }
   const auto placement = measured(request, decision, response);
   if (response.status == ReportPickResponse::INVALID_PLACEMENT) return;
-  fill(session_.report(request.decision_id, *outcome, placement, discarded), session_.revision(), response);
+  const planning::SessionReply reply = session_.report(request.decision_id, *outcome, placement, discarded);
+  fill(reply, session_.revision(), response);
   if (placement && response.status == ReportPickResponse::BAD_REQUEST) {
     response.status = ReportPickResponse::INVALID_PLACEMENT;
   }

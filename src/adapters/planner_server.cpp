@@ -44,8 +44,9 @@ bool PlannerServer::onStart(StartPalletRequest& request, StartPalletResponse& re
         response.message += (response.message.empty() ? "" : "; ") + line;
       return;
     }
-    fill(session_.start(request.pallet_id, read.order, request.close_open != 0), session_.revision(),
-         response);
+    const planning::SessionReply reply =
+        session_.start(request.pallet_id, read.order, request.close_open != 0);
+    fill(reply, session_.revision(), response);
     if (response.status != StartPalletResponse::OK) return;
     ROS_INFO_STREAM("pallet '" << request.pallet_id << "' started: " << read.order.itemCount() << " boxes of "
                                << read.order.types.size() << " types");
