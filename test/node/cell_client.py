@@ -1,0 +1,61 @@
+"""What the rostests share: the simulated camera, waiting, and orders."""
+import threading
+
+import rospy
+from sensor_msgs.msg import PointCloud2
+from std_srvs.srv import Empty
+
+from geometry_msgs.msg import Vector3
+from mixed_palletizing.msg import BoxArray, OrderLine
+
+
+class Latest:
+    """The messages of one topic, to be waited for."""
+
+    def __init__(self, topic, kind):
+        self._messages = []
+        self._arrived = threading.Condition()
+        self._subscriber = rospy.Subscriber(topic, kind, self._add, queue_size=50)
+
+    def _add(self, message):
+        with self._arrived:
+            self._messages.append(message)
+            self._arrived.notify_all()
+
+    def wait_for(self, condition, timeout_s):
+        """First message, past or coming, that fulfils the condition; None when none comes in time."""
+        with self._arrived:
+            found = lambda: next((m for m in self._messages if condition(m)), None)
+            self._arrived.wait_for(lambda: found() is not None, timeout_s)
+            return found()
+
+    def count(self):
+        with self._arrived:
+            return len(self._messages)
+
+    def connected(self, timeout_s=20.0):
+        end = rospy.get_time() + timeout_s
+        while self._subscriber.get_num_connections() == 0 and rospy.get_time() < end:
+            rospy.sleep(0.05)
+        return self._subscriber.get_num_connections() > 0
+
+
+def capture(timeout_s=30.0):
+    """One cloud of the simulated camera."""
+    clouds = Latest('zivid_camera/points/xyzrgba', PointCloud2)
+    assert clouds.connected(), 'the camera does not publish'
+    rospy.wait_for_service('zivid_camera/capture', timeout_s)
+    rospy.ServiceProxy('zivid_camera/capture', Empty)()
+    cloud = clouds.wait_for(lambda m: True, timeout_s)
+    assert cloud is not None, 'the camera gave no cloud'
+    return cloud
+
+
+def truth(timeout_s=10.0):
+    """The boxes in the pick area, in the base frame."""
+    return rospy.wait_for_message('zivid_camera/truth', BoxArray, timeout_s)
+
+
+def order_line(type_id, size_mm, count, rotations=OrderLine.NONE):
+    return OrderLine(type_id=type_id, size=Vector3(*(s / 1000.0 for s in size_mm)), count=count,
+                     rotations=rotations)

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Whole runs as a user starts them: wrong parameters, a bag replayed, the simulated cell to its end."""
+import glob
+import json
+import math
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import rospy
+import rostest
+from mixed_palletizing.msg import BoxArray
+from visualization_msgs.msg import MarkerArray
+
+from cell_client import Latest
+
+SMALL_ORDER = {'name': 'small', 'pallet_mm': [1200, 800, 300], 'n_pick': 3,
+               'items': [{'type': 'a', 'size_mm': [600, 400, 300], 'count': 2, 'rotations': 'none'},
+                         {'type': 'b', 'size_mm': [300, 400, 200], 'count': 3, 'rotations': 'none'}]}
+
+
+def rosrun(*words, **options):
+    return subprocess.run(['rosrun', 'mixed_palletizing', *words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          universal_newlines=True, timeout=120, **options)
+
+
+def roslaunch(*words):
+    return subprocess.Popen(['roslaunch', '--no-summary', 'mixed_palletizing', *words])
+
+
+class Runs(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+
+    def tearDown(self):
+        shutil.rmtree(self.folder)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def test_wrong_parameters_stop_the_start(self):
+        for node, wrong in [('box_detector_node', ['base_sorce:=floor', 'detection/cluster/min_points:=-3']),
+                            ('pick_planner', ['planner/n_cots:=4', 'time_budget_s:=-1.0']),
+                            ('cell_executive', ['sede:=1', 'height_mm:=-600'])]:
+            run = rosrun(node, *('_' + w for w in wrong))
+            self.assertNotEqual(run.returncode, 0, run.stdout)
+            for word in wrong:  # the whole list at once
+                self.assertIn(word.split(':=')[0].split('/')[-1], run.stdout)
+
+    def replay(self, bag, *arguments, timeout_s=90.0):
+        boxes, markers = Latest('boxes', BoxArray), Latest('markers', MarkerArray)
+        launch = roslaunch('replay.launch', 'bag:=' + bag, *arguments)
+        try:
+            self.assertEqual(launch.wait(timeout_s), 0)
+        finally:
+            launch.terminate()
+            launch.wait(30)
+        message = boxes.wait_for(lambda m: True, 5.0)
+        self.assertIsNotNone(message, 'the replay gave no BoxArray')
+        self.assertIsNotNone(markers.wait_for(lambda m: len(m.markers) > 1, 5.0), 'no marker')
+        return message
+
+    def test_replay_of_a_simulated_scene(self):
+        share = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+        scene = os.path.join(share, 'config', 'scenes', 'three_boxes.yaml')
+        run = rosrun('simulate_scene', '--scene', scene, '--out', self.path('c.pcd'), '--truth', self.path('t.json'))
+        self.assertEqual(run.returncode, 0, run.stdout)
+        run = rosrun('pcd_to_bag', '--clouds', self.path('c.pcd'), '--out', self.path('c.bag'), '--repeat', '2')
+        self.assertEqual(run.returncode, 0, run.stdout)
+        message = self.replay(self.path('c.bag'))
+        with open(self.path('t.json')) as file:
+            truth = json.load(file)['boxes']
+        self.assertEqual(len(message.boxes), len(truth))
+        for true in truth:
+            nearest = min(math.hypot(b.pose.pose.position.x - true['center'][0],
+                                     b.pose.pose.position.y - true['center'][1]) for b in message.boxes)
+            self.assertLess(nearest, 0.005)
+
+    def test_replay_of_a_recorded_carton(self):
+        data = os.environ.get('MIXED_PALLETIZING_DATA', '')
+        recorded = glob.glob(os.path.join(data, 'real', 'fau1.pcd')) if data else []
+        if not recorded:
+            self.skipTest('no recorded data: MIXED_PALLETIZING_DATA is not set')
+        run = rosrun('pcd_to_bag', '--clouds', recorded[0], '--out', self.path('c.bag'), '--repeat', '2')
+        self.assertEqual(run.returncode, 0, run.stdout)
+        message = self.replay(self.path('c.bag'), 'base:=floor')
+        self.assertEqual(len(message.boxes), 1)
+        for side, length in zip(('x', 'y', 'z'), (0.448, 0.355, 0.187)):
+            self.assertAlmostEqual(getattr(message.boxes[0].size, side), length, delta=0.015)
+
+    def test_demo_to_its_end(self):
+        with open(self.path('order.jsonl'), 'w') as file:
+            file.write(json.dumps(SMALL_ORDER) + '\n')
+        launch = roslaunch('demo.launch', 'rviz:=false', 'instances:=' + self.path('order.jsonl'),
+                           'report:=' + self.path('report.json'), 'move_s:=0.0', 'width_px:=960', 'height_px:=600')
+        try:
+            launch.wait(240)
+        finally:
+            launch.terminate()
+            launch.wait(30)
+        with open(self.path('report.json')) as file:
+            report = json.load(file)
+        self.assertIs(report['complete'], True, report.get('message'))
+        self.assertEqual(report['placed'] + report['discarded'], 5)
+        self.assertEqual(report['discarded'], 0)
+        self.assertGreater(report['utilization'], 0.5)
+
+
+if __name__ == '__main__':
+    rospy.init_node('test_runs')
+    rostest.rosrun('mixed_palletizing', 'runs', Runs, sys.argv)
