@@ -5,16 +5,15 @@
 #include <mixed_palletizing/packing/order_packing.hpp>
 
 #include "messages.hpp"
+#include "strongest_search.hpp"
 
 namespace mixed_palletizing::packing {
 
 namespace {
 
-using Report = std::function<void(const PackProgress&)>;
-
 SequenceResult thesisSearch(const PalletState& pallet, const std::vector<ItemType>& types,
                             const std::vector<int>& items, const PackOptions& options,
-                            const StopCallback& stop, const Report& report) {
+                            const StopCallback& stop, const PackReport& report) {
   GeneticOptions genetic = options.genetic;
   genetic.seed = options.seed;
   const auto passOn = [&report](const GenerationReport& r) {
@@ -23,21 +22,19 @@ SequenceResult thesisSearch(const PalletState& pallet, const std::vector<ItemTyp
   return geneticSearch(pallet, types, items, genetic, 1, stop, passOn).best;
 }
 
-/// The genetic search again and again, both placement rules in turn, the population growing.
-SequenceResult repeatedSearch(const PalletState& pallet, const std::vector<ItemType>& types,
-                              const std::vector<int>& items, const PackOptions& options,
-                              const StopCallback& stop, const Report& report) {
-  SequenceResult best;
-  GeneticOptions genetic = options.genetic;
-  for (int round = 1; round == 1 || (!best.unpacked.empty() && !stop()); ++round) {
-    genetic.seed = options.seed + static_cast<std::uint64_t>(round - 1);
-    genetic.rule = round % 4 == 0 ? PlacementRule::kDistance : PlacementRule::kDblf;
-    genetic.population = std::min(2 * options.genetic.population, options.genetic.population * round);
-    SequenceResult found = geneticSearch(pallet, types, items, genetic, 1, stop).best;
-    if (round == 1 || found.utilization > best.utilization) best = std::move(found);
-    if (report) report({round, 0, best.utilization});
+void checkItems(const Order& order, const std::vector<int>& items) {
+  throwProblems("packOrder", problems(order.rules));
+  for (const int type : items) {
+    if (type < 0 || static_cast<std::size_t>(type) >= order.types.size()) {
+      throw std::invalid_argument("packOrder: items: type index " + std::to_string(type) + " of " +
+                                  std::to_string(order.types.size()) + " types");
+    }
+    const Vec3& size = order.types[static_cast<std::size_t>(type)].size;
+    if (size.x <= 0 || size.y <= 0 || size.z <= 0) {
+      throw std::invalid_argument("packOrder: order.types[" + std::to_string(type) +
+                                  "].size: every side must be positive");
+    }
   }
-  return best;
 }
 
 }  // namespace
@@ -84,31 +81,25 @@ OrderPacking assignItems(const std::vector<Placement>& placements, const std::ve
 }
 
 OrderPacking packOrder(const Order& order, const std::vector<int>& items, const PackOptions& options,
-                       const StopCallback& stop, const std::function<void(const PackProgress&)>& report) {
+                       const StopCallback& stop, const PackReport& report) {
   throwProblems("packOrder: options", problems(options));
   if (options.method == PackMethod::kBest && !stop) {
     throw std::invalid_argument("packOrder: stop: the method best needs a callback that ends it");
   }
-  for (const int type : items) {
-    if (type >= 0 && static_cast<std::size_t>(type) < order.types.size()) continue;
-    throw std::invalid_argument("packOrder: items: type index " + std::to_string(type) + " of " +
-                                std::to_string(order.types.size()) + " types");
+  checkItems(order, items);
+  if (options.method == PackMethod::kBest) {
+    StrongestSearch search(order, items, options, stop);
+    search.run(report);
+    return assignItems(search.placements(), items, search.utilization());
   }
   const PalletState pallet(order.rules);
   SequenceResult result;
-  switch (options.method) {
-    case PackMethod::kDblf:
-      result = packSequence(pallet, order.types, items, PlacementRule::kDblf);
-      break;
-    case PackMethod::kDistance:
-      result = packSequence(pallet, order.types, items, PlacementRule::kDistance);
-      break;
-    case PackMethod::kGa:
-      result = thesisSearch(pallet, order.types, items, options, stop, report);
-      break;
-    case PackMethod::kBest:
-      result = repeatedSearch(pallet, order.types, items, options, stop, report);
-      break;
+  if (options.method == PackMethod::kGa) {
+    result = thesisSearch(pallet, order.types, items, options, stop, report);
+  } else {
+    const bool distance = options.method == PackMethod::kDistance;
+    result =
+        packSequence(pallet, order.types, items, distance ? PlacementRule::kDistance : PlacementRule::kDblf);
   }
   return assignItems(result.placements, items, result.utilization);
 }

@@ -36,6 +36,8 @@ struct PackProgress {
   double best_utilization = 0.0;
 };
 
+using PackReport = std::function<void(const PackProgress&)>;
+
 struct PackedItem {
   int item = 0;  ///< index in the given items
   Placement placement;
@@ -51,7 +53,7 @@ struct OrderPacking {
 /// empty pallet. kBest goes on until everything is packed or `stop` says so, so it needs one; both callbacks
 /// may be empty otherwise. Throws std::invalid_argument for broken rules, options or type indices.
 OrderPacking packOrder(const Order& order, const std::vector<int>& items, const PackOptions& options,
-                       const StopCallback& stop, const std::function<void(const PackProgress&)>& report = {});
+                       const StopCallback& stop, const PackReport& report = {});
 
 /// Gives every placement the index of an item of its type that is not used yet. Throws std::invalid_argument
 /// when there are more placements of a type than items.

@@ -1,0 +1,92 @@
+#include "block_state.hpp"
+
+#include <algorithm>
+
+#include "level_spaces.hpp"
+#include "maximal_rectangles.hpp"
+
+namespace mixed_palletizing::packing {
+
+namespace {
+
+bool isWithin(const Vec3& a, const Vec3& b) { return a.x <= b.x && a.y <= b.y && a.z <= b.z; }
+
+}  // namespace
+
+BlockState::BlockState(const BlockCatalog& catalog, const std::vector<int>& counts) : remaining_(counts) {
+  spaces_.push_back({{0, 0, 0}, catalog.pallet});
+  for (std::size_t rank = 0; rank < catalog.ranked.size(); ++rank) {
+    ranks_.push_back(static_cast<std::uint32_t>(rank));
+  }
+  collectSmallest(catalog);
+}
+
+bool BlockState::isUseful(const Space& space) const {
+  const PackedSize room(space.size());
+  return std::any_of(smallest_.begin(), smallest_.end(),
+                     [&](const PackedSize& size) { return size.fitsInto(room); });
+}
+
+void BlockState::place(const BlockCatalog& catalog, const BlockStep& step) {
+  const Block& block = catalog.blocks[step.block];
+  const Placement body{0, step.origin, block.size};
+  const int top = step.origin.z + block.size.z;
+  LevelSpaces levels(spaces_, catalog.pallet.z);
+  levels.edit(step.origin.z, [&](std::vector<Rect>& rects) { cutOut(rects, footprintOf(body)); });
+  if (top < catalog.pallet.z) {
+    levels.edit(top, [&](std::vector<Rect>& rects) { addRect(rects, footprintOf(body)); });
+  }
+  standing_.push_back({step.origin, {step.origin.x + block.size.x, step.origin.y + block.size.y, top}});
+  steps_.push_back(step);
+  packed_volume_ += volume(block.size);
+  bool type_ends = false;
+  for (const TypeCount& need : block.needs) {
+    const std::size_t type = static_cast<std::size_t>(need.type);
+    remaining_[type] -= need.count;
+    type_ends = type_ends || remaining_[type] == 0;
+    if (remaining_[type] >= BlockCatalog::kManyItems) continue;
+    const std::vector<std::uint16_t>& needs = catalog.needs[type];
+    const std::uint16_t left = static_cast<std::uint16_t>(remaining_[type]);
+    ranks_.erase(
+        std::remove_if(ranks_.begin(), ranks_.end(), [&](std::uint32_t r) { return needs[r] > left; }),
+        ranks_.end());
+  }
+  if (type_ends) collectSmallest(catalog);
+}
+
+void BlockState::collectSmallest(const BlockCatalog& catalog) {
+  std::vector<Vec3> sizes;
+  for (std::size_t t = 0; t < remaining_.size(); ++t) {
+    if (remaining_[t] > 0) {
+      sizes.insert(sizes.end(), catalog.orientations[t].begin(), catalog.orientations[t].end());
+    }
+  }
+  smallest_.clear();
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    bool needed = true;
+    for (std::size_t j = 0; j < sizes.size() && needed; ++j) {
+      const bool same = sizes[j] == sizes[i];
+      needed = !((same && j < i) || (!same && isWithin(sizes[j], sizes[i])));
+    }
+    if (needed) smallest_.emplace_back(sizes[i]);
+  }
+}
+
+std::uint64_t BlockState::fingerprint() const {
+  std::uint64_t hash = 1469598103934665603ULL;  // FNV-1a, by words
+  const auto mix = [&hash](int value) {
+    hash = (hash ^ static_cast<std::uint64_t>(value)) * 1099511628211ULL;
+    hash ^= hash >> 29U;
+  };
+  for (const Space& space : spaces_) {
+    mix(space.min.x);
+    mix(space.min.y);
+    mix(space.min.z);
+    mix(space.max.x);
+    mix(space.max.y);
+  }
+  for (const int count : remaining_) mix(count);
+  return hash;
+}
+
+}  // namespace mixed_palletizing::packing
