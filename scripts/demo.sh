@@ -7,8 +7,8 @@ usage() {
   cat <<EOF
 usage: scripts/demo.sh [options]
   --headless            no rviz window (also the case without a display)
-  --screenshot [FILE]   picture of rviz at the end, made under Xvfb (default: build/demo.png); implies --headless
-  --report FILE         JSON report of the pallet (default: build/demo.json)
+  --screenshot [FILE]   picture of rviz at the end, made under Xvfb (default: demo.png in the workspace); implies --headless
+  --report FILE         JSON report of the pallet (default: demo.json in the workspace)
   --height_mm H         height of the order's packing volume: 600 (default), 800, 1200, ...
   --seed N              which order, and where the boxes lie (default: 1)
   --method dblf|ga|best how the planner chooses (default: the node's own)

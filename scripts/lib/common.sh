@@ -1,7 +1,8 @@
 # Shared by the scripts: messages, packages, workspace. Source it; needs bash.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
-workspace=${MIXED_PALLETIZING_WORKSPACE:-$root/build}
+# Not below the checkout: ROS would find every launch file and program of the package a second time there.
+workspace=${MIXED_PALLETIZING_WORKSPACE:-${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}/mixed_palletizing/ws-$(printf %s "$root" | cksum | cut -d' ' -f1)}
 jobs=${MIXED_PALLETIZING_JOBS:-2}
 
 say() { printf '\033[1m== %s\033[0m\n' "$*" >&2; }
