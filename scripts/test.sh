@@ -45,7 +45,12 @@ check() {
 }
 
 formatted() { git -C "$root" ls-files -z '*.hpp' '*.cpp' | (cd "$root" && xargs -0 clang-format --dry-run --Werror); }
-linted() { catkin_lint --offline --strict -W2 "$root"; }
+# Left out: the checkout's folder may have any name, scripts/ is for developers, CMAKE_BUILD_TYPE is CMake's own
+# idiom, and the include paths of a target here reach nobody but targets of this package.
+linted() {
+  catkin_lint --offline --strict -W2 --ignore package_path_name --ignore uninstalled_script \
+    --ignore global_var_collision --ignore external_interface_path "$root"
+}
 tested() { (cd "$workspace/build" && ctest --output-on-failure --timeout 900 "$@"); }
 
 say "checks"

@@ -7,7 +7,7 @@
 #include <mixed_palletizing/simulation/capture.hpp>
 #include <mixed_palletizing/simulation/pinhole.hpp>
 
-#include "simulation/counter_random.hpp"
+#include "counter_random.hpp"
 #include "small_scenes.hpp"
 
 namespace mixed_palletizing::simulation {
