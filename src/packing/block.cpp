@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
-#include <string>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -22,17 +20,19 @@ std::uint64_t sectionKey(const Vec3& size, int axis) {
          static_cast<std::uint64_t>(side(size, (axis + 2) % 3));
 }
 
-std::string contentKey(const Block& block) {
-  std::string key;
-  const auto put = [&key](int value) { key.append(reinterpret_cast<const char*>(&value), sizeof value); };
-  put(block.size.x);
-  put(block.size.y);
-  put(block.size.z);
-  for (const TypeCount& need : block.needs) {
-    put(need.type);
-    put(need.count);
-  }
-  return key;
+/// Spreads the bits of a number (the finalizer of splitmix64).
+std::uint64_t spread(std::uint64_t v) {
+  v = (v ^ (v >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+  v = (v ^ (v >> 27U)) * 0x94d049bb133111ebULL;
+  return v ^ (v >> 31U);
+}
+
+/// Of an item of a type; the sum over the items of a block stands for its content.
+std::uint64_t itemKey(int type) { return spread(static_cast<std::uint64_t>(type) + 0x9e3779b97f4a7c15ULL); }
+
+std::uint64_t blockKey(std::uint64_t content, const Vec3& size) {
+  const std::uint64_t xy = (static_cast<std::uint64_t>(size.x) << 32U) | static_cast<std::uint64_t>(size.y);
+  return content ^ spread(xy + spread(static_cast<std::uint64_t>(size.z)));
 }
 
 std::vector<TypeCount> sumOf(const std::vector<TypeCount>& a, const std::vector<TypeCount>& b) {
@@ -61,7 +61,10 @@ class BlockMaker {
   void addItems(const std::vector<ItemType>& types) {
     for (std::size_t t = 0; t < types.size(); ++t) {
       if (counts_[t] <= 0) continue;
-      for (const Vec3& size : orientations(types[t])) add({size, {{static_cast<int>(t), 1}}});
+      for (const Vec3& size : orientations(types[t])) {
+        const int type = static_cast<int>(t);
+        if (isNew(itemKey(type), size)) add({size, {{type, 1}}}, itemKey(type));
+      }
     }
   }
 
@@ -84,32 +87,40 @@ class BlockMaker {
  private:
   bool full() const { return blocks_.size() >= max_blocks_; }
 
+  /// Fits the pallet and was not seen before, neither taken nor refused.
+  bool isNew(std::uint64_t content, const Vec3& size) {
+    if (size.x > pallet_.x || size.y > pallet_.y || size.z > pallet_.z) return false;
+    return known_.insert(blockKey(content, size)).second;
+  }
+
   void join(std::size_t first, std::size_t second, int axis) {
     const Block& a = blocks_[first];
     const Block& b = blocks_[second];
-    if (side(a.size, axis) + side(b.size, axis) > side(pallet_, axis)) return;
-    Block joined{a.size, sumOf(a.needs, b.needs), a.items + b.items, axis, first, second};
-    side(joined.size, axis) += side(b.size, axis);
-    add(std::move(joined));
+    Vec3 size = a.size;
+    side(size, axis) += side(b.size, axis);
+    const std::uint64_t content = contents_[first] + contents_[second];
+    if (isNew(content, size)) {
+      add({size, sumOf(a.needs, b.needs), a.items + b.items, axis, first, second}, content);
+    }
   }
 
-  void add(Block block) {
-    if (block.size.x > pallet_.x || block.size.y > pallet_.y || block.size.z > pallet_.z) return;
+  void add(Block block, std::uint64_t content) {
     for (const TypeCount& need : block.needs) {
       if (need.count > counts_[static_cast<std::size_t>(need.type)]) return;
     }
-    if (full() || !known_.insert(contentKey(block)).second) return;
     for (int axis = 0; axis < 3; ++axis) {
       by_section_[static_cast<std::size_t>(axis)][sectionKey(block.size, axis)].push_back(blocks_.size());
     }
     blocks_.push_back(std::move(block));
+    contents_.push_back(content);
   }
 
   const std::vector<int>& counts_;
   Vec3 pallet_;
   std::size_t max_blocks_;
   std::vector<Block> blocks_;
-  std::unordered_set<std::string> known_;
+  std::vector<std::uint64_t> contents_;
+  std::unordered_set<std::uint64_t> known_;
   /// For every axis: the blocks by their section across it.
   std::array<std::unordered_map<std::uint64_t, std::vector<std::size_t>>, 3> by_section_;
 };

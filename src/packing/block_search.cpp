@@ -7,8 +7,6 @@
 #include "block_search.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <unordered_set>
@@ -22,33 +20,6 @@ namespace mixed_palletizing::packing {
 namespace {
 
 constexpr std::size_t kSpacesTried = 2;  ///< of a state, when its successors are made
-
-BlockCatalog makeCatalog(const Vec3& pallet, const std::vector<ItemType>& types,
-                         const std::vector<int>& counts, std::size_t max_blocks, double items_exponent) {
-  BlockCatalog catalog;
-  catalog.pallet = pallet;
-  for (const ItemType& type : types) catalog.orientations.push_back(orientations(type));
-  catalog.blocks = makeBlocks(types, counts, pallet, max_blocks);
-  const auto value = [&](std::size_t index) {
-    const Block& block = catalog.blocks[index];
-    return static_cast<double>(volume(block.size)) * std::pow(block.items, -items_exponent);
-  };
-  catalog.ranked.resize(catalog.blocks.size());
-  std::iota(catalog.ranked.begin(), catalog.ranked.end(), std::size_t{0});
-  std::stable_sort(catalog.ranked.begin(), catalog.ranked.end(),
-                   [&](std::size_t a, std::size_t b) { return value(a) > value(b); });
-  catalog.needs.assign(types.size(), std::vector<std::uint16_t>(catalog.ranked.size(), 0));
-  for (std::size_t rank = 0; rank < catalog.ranked.size(); ++rank) {
-    const Block& block = catalog.blocks[catalog.ranked[rank]];
-    catalog.values.push_back(value(catalog.ranked[rank]));
-    catalog.sizes.emplace_back(block.size);
-    for (const TypeCount& need : block.needs) {
-      catalog.needs[static_cast<std::size_t>(need.type)][rank] =
-          static_cast<std::uint16_t>(std::min(need.count, BlockCatalog::kManyItems));
-    }
-  }
-  return catalog;
-}
 
 constexpr std::size_t kSpareWidths = 4;  ///< successors kept, in widths, before the best are picked
 
@@ -112,7 +83,7 @@ class BlockSearch::Impl {
     for (const AnchoredSpace& where : firstSpaces(node.state, kSpacesTried)) {
       const std::vector<ScoredBlock> blocks = scorer_.best(node.state, where, share);
       for (const ScoredBlock& scored : blocks) {
-        if (complete() || (best_volume_ >= 0 && stop && stop())) return false;
+        if (complete() || (!best_.empty() && stop && stop())) return false;
         Node child{node.state, node.outcome, node.completion};
         child.state.place(catalog_, stepInto(where, scored));
         if (seen.insert(child.state.fingerprint()).second) {
@@ -188,7 +159,7 @@ class BlockSearch::Impl {
   BlockState root_;
   SpaceOrder order_ = SpaceOrder::kNearest;
   std::int64_t all_items_ = 0;
-  std::int64_t best_volume_ = -1;
+  std::int64_t best_volume_ = 0;
   std::vector<BlockStep> best_;
 };
 
@@ -202,7 +173,7 @@ bool BlockSearch::run(SpaceOrder order, std::size_t width, const StopCallback& s
   return impl_->run(order, width, stop);
 }
 
-std::int64_t BlockSearch::bestVolume() const { return std::max<std::int64_t>(impl_->bestVolume(), 0); }
+std::int64_t BlockSearch::bestVolume() const { return impl_->bestVolume(); }
 bool BlockSearch::complete() const { return impl_->complete(); }
 std::vector<Placement> BlockSearch::bestPlacements() const { return impl_->bestPlacements(); }
 

@@ -1,6 +1,8 @@
 #include "block_state.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "level_spaces.hpp"
 #include "maximal_rectangles.hpp"
@@ -12,6 +14,33 @@ namespace {
 bool isWithin(const Vec3& a, const Vec3& b) { return a.x <= b.x && a.y <= b.y && a.z <= b.z; }
 
 }  // namespace
+
+BlockCatalog makeCatalog(const Vec3& pallet, const std::vector<ItemType>& types,
+                         const std::vector<int>& counts, std::size_t max_blocks, double items_exponent) {
+  BlockCatalog catalog;
+  catalog.pallet = pallet;
+  for (const ItemType& type : types) catalog.orientations.push_back(orientations(type));
+  catalog.blocks = makeBlocks(types, counts, pallet, max_blocks);
+  const auto value = [&](std::size_t index) {
+    const Block& block = catalog.blocks[index];
+    return static_cast<double>(volume(block.size)) * std::pow(block.items, -items_exponent);
+  };
+  catalog.ranked.resize(catalog.blocks.size());
+  std::iota(catalog.ranked.begin(), catalog.ranked.end(), std::size_t{0});
+  std::stable_sort(catalog.ranked.begin(), catalog.ranked.end(),
+                   [&](std::size_t a, std::size_t b) { return value(a) > value(b); });
+  catalog.needs.assign(types.size(), std::vector<std::uint16_t>(catalog.ranked.size(), 0));
+  for (std::size_t rank = 0; rank < catalog.ranked.size(); ++rank) {
+    const Block& block = catalog.blocks[catalog.ranked[rank]];
+    catalog.values.push_back(value(catalog.ranked[rank]));
+    catalog.sizes.emplace_back(block.size);
+    for (const TypeCount& need : block.needs) {
+      catalog.needs[static_cast<std::size_t>(need.type)][rank] =
+          static_cast<std::uint16_t>(std::min(need.count, BlockCatalog::kManyItems));
+    }
+  }
+  return catalog;
+}
 
 BlockState::BlockState(const BlockCatalog& catalog, const std::vector<int>& counts) : remaining_(counts) {
   spaces_.push_back({{0, 0, 0}, catalog.pallet});

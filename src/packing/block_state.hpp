@@ -42,6 +42,10 @@ struct BlockCatalog {
   static constexpr int kManyItems = 0xffff;
 };
 
+/// A block is worth its volume over items^items_exponent.
+BlockCatalog makeCatalog(const Vec3& pallet, const std::vector<ItemType>& types,
+                         const std::vector<int>& counts, std::size_t max_blocks, double items_exponent);
+
 struct BlockStep {
   std::size_t block = 0;  ///< index in BlockCatalog::blocks
   Vec3 origin;

@@ -16,18 +16,13 @@ constexpr int kDistanceRuleEvery = 4;  ///< rounds of the genetic search
 
 StrongestSearch::StrongestSearch(const Order& order, const std::vector<int>& items,
                                  const PackOptions& options, const StopCallback& stop)
-    : order_(order), items_(items), options_(options), stop_(stop), pallet_(order.rules) {
-  if (order.rules.gap != 0 || !pallet_.fullSupport()) return;
-  std::vector<int> counts(order.types.size(), 0);
-  for (const int type : items) ++counts[static_cast<std::size_t>(type)];
-  blocks_.emplace(order.rules.size, order.types, counts, BlockSearchOptions{});
-}
+    : order_(order), items_(items), options_(options), stop_(stop), pallet_(order.rules) {}
 
 void StrongestSearch::run(const PackReport& report) {
   double width = 1.0;
   for (int round = 1; round == 1 || (!complete_ && !stop_()); ++round) {
     geneticRound(round);
-    if (blocks_ && !complete_) {
+    if (blocksServe() && !complete_ && !stop_()) {
       blockRound(SpaceOrder::kNearest, static_cast<std::size_t>(width));
       blockRound(SpaceOrder::kLowest, static_cast<std::size_t>(width));
       width = std::min(std::max(width + 1.0, width * kWidthGrowth), kMaxWidth);
@@ -35,6 +30,8 @@ void StrongestSearch::run(const PackReport& report) {
     if (report) report({round, 0, utilization()});
   }
 }
+
+bool StrongestSearch::blocksServe() const { return order_.rules.gap == 0 && pallet_.fullSupport(); }
 
 double StrongestSearch::utilization() const {
   return static_cast<double>(volume_) / static_cast<double>(volume(order_.rules.size));
@@ -53,6 +50,11 @@ void StrongestSearch::geneticRound(int round) {
 }
 
 void StrongestSearch::blockRound(SpaceOrder space_order, std::size_t width) {
+  if (!blocks_) {
+    std::vector<int> counts(order_.types.size(), 0);
+    for (const int type : items_) ++counts[static_cast<std::size_t>(type)];
+    blocks_.emplace(order_.rules.size, order_.types, counts, BlockSearchOptions{});
+  }
   blocks_->run(space_order, width, stop_);
   if (blocks_->bestVolume() > volume_) take(blocks_->bestPlacements(), blocks_->bestVolume());
   complete_ = complete_ || blocks_->complete();

@@ -29,6 +29,7 @@ class StrongestSearch {
   double utilization() const;
 
  private:
+  bool blocksServe() const;
   void geneticRound(int round);
   void blockRound(SpaceOrder space_order, std::size_t width);
   void take(std::vector<Placement> placements, std::int64_t packed);
@@ -38,7 +39,7 @@ class StrongestSearch {
   const PackOptions& options_;
   const StopCallback& stop_;
   PalletState pallet_;
-  std::optional<BlockSearch> blocks_;
+  std::optional<BlockSearch> blocks_;  ///< made when it is first needed: that takes time
   std::vector<Placement> placements_;
   std::int64_t volume_ = 0;
   bool complete_ = false;
