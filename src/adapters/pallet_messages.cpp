@@ -115,6 +115,8 @@ ReadOrder readOrder(const OrderRequest& request) {
   for (std::size_t i = 0; i < request.lines.size(); ++i) {
     const OrderLine& line = request.lines[i];
     const std::string name = "order[" + std::to_string(i) + "]";
+    if (line.type_id.empty()) read.problems.push_back(name + ".type_id: a name is needed");
+    if (line.count == 0) read.problems.push_back(name + ".count: 0: at least 1 is needed");
     read.order.types.push_back(typeOf(line, name, read.problems));
     constexpr std::uint32_t kMostItems = packing::kMaxItems;
     read.order.counts.push_back(static_cast<int>(std::min(line.count, kMostItems + 1)));
