@@ -41,6 +41,21 @@ geometry::CloudView checked(const sensor_msgs::PointCloud2& message, const std::
   return *cloud.view;
 }
 
+/// Detection part of a parameter file of the detector node; the defaults without a file.
+detection::DetectionOptions optionsFrom(const std::string& path) {
+  if (path.empty()) return detection::DetectionOptions();
+  try {
+    return readDetectorOptions(loadYaml(path)).detection;
+  } catch (const std::invalid_argument& error) {
+    // The list of mistakes in one line, as all errors of the tools.
+    std::string text = error.what();
+    for (std::size_t at = text.find("\n  "); at != std::string::npos; at = text.find("\n  ")) {
+      text.replace(at, 3, at > 0 && text[at - 1] == ':' ? " " : "; ");
+    }
+    throw std::invalid_argument(path + ": " + text);
+  }
+}
+
 std::string describe(const detection::BaseFrame& frame, const std::string& origin) {
   std::ostringstream text;
   text << "base frame from " << origin << ": floor of " << frame.plane_inliers << " points, rms "
@@ -114,20 +129,13 @@ OfflineDetection detectOffline(const OfflineDetectionRequest& request) {
   if (request.repeat < 1) {
     throw std::invalid_argument("repeat: " + std::to_string(request.repeat) + " is less than 1");
   }
-  DetectorOptions options;
-  if (!request.params.empty()) {
-    try {
-      options = readDetectorOptions(loadYaml(request.params));
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(request.params + ": " + error.what());
-    }
-  }
+  const detection::DetectionOptions options = optionsFrom(request.params);
   const std::string origin = request.bag.empty() ? request.cloud : request.bag;
   const sensor_msgs::PointCloud2ConstPtr message =
       request.bag.empty() ? fromFile(request.cloud) : firstOf(request.bag, request.topic);
   OfflineDetection result;
-  findBase(request, checked(*message, origin), origin, options.detection, result);
-  detectRepeatedly(*message, origin, request.repeat, options.detection, result);
+  findBase(request, checked(*message, origin), origin, options, result);
+  detectRepeatedly(*message, origin, request.repeat, options, result);
   return result;
 }
 

@@ -1,0 +1,48 @@
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <mixed_palletizing/adapters/detection_options.hpp>
+
+namespace mixed_palletizing::adapters {
+namespace {
+
+/// The options that a tree gives; throws what the reader collected.
+detection::DetectionOptions read(const std::string& yaml) {
+  detection::DetectionOptions options;
+  OptionReader reader(YAML::Load(yaml));
+  readDetectionOptions(reader, options);
+  reader.finish("options");
+  return options;
+}
+
+TEST(DetectionOptionsFromYaml, keepTheDefaultOfAbsentKeys) {
+  const detection::DetectionOptions defaults;
+  const auto empty = read("{}");
+  EXPECT_EQ(empty.plane.max_iterations, defaults.plane.max_iterations);
+  EXPECT_EQ(empty.marker.dictionary, defaults.marker.dictionary);
+  const auto some =
+      read("{plane: {distance_m: 0.02}, marker: {id: 3, inverted: false}, top: {refine: false}}");
+  EXPECT_EQ(some.plane.distance_m, 0.02);
+  EXPECT_EQ(some.plane.seed, defaults.plane.seed);
+  EXPECT_EQ(some.marker.id, 3);
+  EXPECT_FALSE(some.marker.inverted);
+  EXPECT_FALSE(some.top.refine);
+  EXPECT_EQ(some.box.max_side_m, defaults.box.max_side_m);
+}
+
+TEST(DetectionOptionsFromYaml, reportAllMistakesAtOnce) {
+  try {
+    read("{plane: {distance: 0.02, seed: one}, box: {min_side_m: -1}, clusters: {min_points: 10}}");
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    const std::string text = error.what();
+    for (const char* key : {"plane.distance", "plane.seed", "box.min_side_m", "clusters"}) {
+      EXPECT_NE(text.find(key), std::string::npos) << key << " in: " << text;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mixed_palletizing::adapters
