@@ -64,21 +64,21 @@ const std::vector<ScoredBlock>& BlockScorer::best(const BlockState& state, const
   best_.clear();
   const Vec3 room = where.space.size();
   const PackedSize packed_room(room);
+  const double inverse_volume = 1.0 / static_cast<double>(volume(room));
   double worst = -1.0;
   bool looked = false;
   for (const std::uint32_t rank : state.ranks()) {
     if (!catalog_.sizes[rank].fitsInto(packed_room)) continue;
-    if (catalog_.values[rank] <= worst) break;  // no later block can be better
-    const std::size_t index = catalog_.ranked[rank];
-    const Vec3& size = catalog_.blocks[index].size;
-    double score = catalog_.values[rank] * lossFactor(room, size);
+    const RankedBlock& block = catalog_.ranked[rank];
+    if (block.value <= worst) break;  // no later block can be better
+    double score = block.value * inverse_volume * reachedVolume(room, block.size);
     if (score <= worst) continue;
     if (!looked) lookAround(state, where);
     looked = true;
-    const double share = contactShare(room, size);
+    const double share = contactArea(room, block.size) * block.inverse_surface;
     score *= share * share * share * share;
     if (score <= worst) continue;
-    keep({score, index}, count);
+    keep({score, block.index}, count);
     if (best_.size() == count) worst = best_.front().score;
   }
   std::sort(best_.begin(), best_.end(),
@@ -95,11 +95,11 @@ void BlockScorer::keep(const ScoredBlock& scored, std::size_t count) {
   best_.pop_back();
 }
 
-double BlockScorer::lossFactor(const Vec3& room, const Vec3& size) const {
-  const auto used = [&](int axis) {
-    return static_cast<double>(side(size, axis) + lengths_.along(axis, side(room, axis) - side(size, axis)));
-  };
-  return used(0) * used(1) * used(2) / static_cast<double>(volume(room));
+/// Of the room, what sums of item sides reach beside and above a block.
+double BlockScorer::reachedVolume(const Vec3& room, const Vec3& size) const {
+  return static_cast<double>(size.x + lengths_.along(0, room.x - size.x)) *
+         static_cast<double>(size.y + lengths_.along(1, room.y - size.y)) *
+         static_cast<double>(size.z + lengths_.along(2, room.z - size.z));
 }
 
 void BlockScorer::lookAround(const BlockState& state, const AnchoredSpace& where) {
@@ -136,7 +136,7 @@ void BlockScorer::lookAround(const BlockState& state, const AnchoredSpace& where
 }
 
 /// Of the two faces across an axis of a block of this depth, with the given length and height.
-std::int64_t BlockScorer::contactArea(std::size_t axis, int depth, int length, int height) const {
+std::int64_t BlockScorer::sideContact(std::size_t axis, int depth, int length, int height) const {
   const int tolerance = static_cast<int>(weights_.contact_tolerance * depth);
   std::int64_t area = 0;
   const auto add = [&](const Neighbor& n) {
@@ -153,15 +153,11 @@ std::int64_t BlockScorer::contactArea(std::size_t axis, int depth, int length, i
   return area;
 }
 
-double BlockScorer::contactShare(const Vec3& room, const Vec3& size) const {
-  const double base = static_cast<double>(size.x) * size.y;
-  double contact = base;  // full support
-  if (room.z - size.z <= weights_.contact_tolerance * size.z) contact += base;
-  contact += static_cast<double>(contactArea(0, size.x, size.y, size.z));
-  contact += static_cast<double>(contactArea(1, size.y, size.x, size.z));
-  const double surface =
-      2.0 * (base + static_cast<double>(size.x) * size.z + static_cast<double>(size.y) * size.z);
-  return contact / surface;
+double BlockScorer::contactArea(const Vec3& room, const Vec3& size) const {
+  const std::int64_t base = static_cast<std::int64_t>(size.x) * size.y;  // touches: full support
+  const bool at_ceiling = room.z - size.z <= weights_.contact_tolerance * size.z;
+  return static_cast<double>((at_ceiling ? 2 * base : base) + sideContact(0, size.x, size.y, size.z) +
+                             sideContact(1, size.y, size.x, size.z));
 }
 
 }  // namespace mixed_palletizing::packing

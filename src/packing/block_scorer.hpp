@@ -64,9 +64,9 @@ class BlockScorer {
   };
 
   void lookAround(const BlockState& state, const AnchoredSpace& where);
-  double lossFactor(const Vec3& room, const Vec3& size) const;
-  double contactShare(const Vec3& room, const Vec3& size) const;
-  std::int64_t contactArea(std::size_t axis, int depth, int length, int height) const;
+  double reachedVolume(const Vec3& room, const Vec3& size) const;
+  double contactArea(const Vec3& room, const Vec3& size) const;
+  std::int64_t sideContact(std::size_t axis, int depth, int length, int height) const;
   void keep(const ScoredBlock& scored, std::size_t count);
 
   const BlockCatalog& catalog_;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include "level_spaces.hpp"
 #include "maximal_rectangles.hpp"
@@ -11,7 +11,20 @@ namespace mixed_palletizing::packing {
 
 namespace {
 
-bool isWithin(const Vec3& a, const Vec3& b) { return a.x <= b.x && a.y <= b.y && a.z <= b.z; }
+std::int64_t surface(const Vec3& v) {
+  const std::int64_t x = v.x;
+  return 2 * (x * v.y + x * v.z + static_cast<std::int64_t>(v.y) * v.z);
+}
+
+void sortOrientations(BlockCatalog& catalog) {
+  std::vector<std::pair<Vec3, std::size_t>> sizes;
+  for (std::size_t type = 0; type < catalog.orientations.size(); ++type) {
+    for (const Vec3& size : catalog.orientations[type]) sizes.emplace_back(size, type);
+  }
+  std::stable_sort(sizes.begin(), sizes.end(),
+                   [](const auto& a, const auto& b) { return volume(a.first) < volume(b.first); });
+  for (const auto& [size, type] : sizes) catalog.orientations_by_volume.emplace_back(PackedSize(size), type);
+}
 
 }  // namespace
 
@@ -20,19 +33,18 @@ BlockCatalog makeCatalog(const Vec3& pallet, const std::vector<ItemType>& types,
   BlockCatalog catalog;
   catalog.pallet = pallet;
   for (const ItemType& type : types) catalog.orientations.push_back(orientations(type));
+  sortOrientations(catalog);
   catalog.blocks = makeBlocks(types, counts, pallet, max_blocks);
-  const auto value = [&](std::size_t index) {
-    const Block& block = catalog.blocks[index];
-    return static_cast<double>(volume(block.size)) * std::pow(block.items, -items_exponent);
-  };
-  catalog.ranked.resize(catalog.blocks.size());
-  std::iota(catalog.ranked.begin(), catalog.ranked.end(), std::size_t{0});
+  for (const Block& block : catalog.blocks) {
+    const double value = static_cast<double>(volume(block.size)) * std::pow(block.items, -items_exponent);
+    catalog.ranked.push_back({block.size, static_cast<std::uint32_t>(catalog.ranked.size()), value,
+                              1.0 / static_cast<double>(surface(block.size))});
+  }
   std::stable_sort(catalog.ranked.begin(), catalog.ranked.end(),
-                   [&](std::size_t a, std::size_t b) { return value(a) > value(b); });
+                   [](const RankedBlock& a, const RankedBlock& b) { return a.value > b.value; });
   catalog.needs.assign(types.size(), std::vector<std::uint16_t>(catalog.ranked.size(), 0));
   for (std::size_t rank = 0; rank < catalog.ranked.size(); ++rank) {
-    const Block& block = catalog.blocks[catalog.ranked[rank]];
-    catalog.values.push_back(value(catalog.ranked[rank]));
+    const Block& block = catalog.blocks[catalog.ranked[rank].index];
     catalog.sizes.emplace_back(block.size);
     for (const TypeCount& need : block.needs) {
       catalog.needs[static_cast<std::size_t>(need.type)][rank] =
@@ -84,20 +96,13 @@ void BlockState::place(const BlockCatalog& catalog, const BlockStep& step) {
 }
 
 void BlockState::collectSmallest(const BlockCatalog& catalog) {
-  std::vector<Vec3> sizes;
-  for (std::size_t t = 0; t < remaining_.size(); ++t) {
-    if (remaining_[t] > 0) {
-      sizes.insert(sizes.end(), catalog.orientations[t].begin(), catalog.orientations[t].end());
-    }
-  }
   smallest_.clear();
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    bool needed = true;
-    for (std::size_t j = 0; j < sizes.size() && needed; ++j) {
-      const bool same = sizes[j] == sizes[i];
-      needed = !((same && j < i) || (!same && isWithin(sizes[j], sizes[i])));
-    }
-    if (needed) smallest_.emplace_back(sizes[i]);
+  for (const auto& [size, type] : catalog.orientations_by_volume) {
+    if (remaining_[type] == 0) continue;
+    const bool holds_another =
+        std::any_of(smallest_.begin(), smallest_.end(),
+                    [&, s = size](const PackedSize& other) { return other.fitsInto(s); });
+    if (!holds_another) smallest_.push_back(size);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <mixed_palletizing/packing/types.hpp>
@@ -28,16 +29,23 @@ class PackedSize {
   std::uint64_t word_ = 0;
 };
 
+/// A block as the scoring reads it.
+struct RankedBlock {
+  Vec3 size;
+  std::uint32_t index = 0;  ///< in BlockCatalog::blocks
+  double value = 0.0;       ///< packed volume, less for many items
+  double inverse_surface = 0.0;
+};
+
 /// What all states of one search share.
 struct BlockCatalog {
   Vec3 pallet;
   std::vector<Block> blocks;
-  std::vector<std::size_t> ranked;  ///< blocks by falling value
-  std::vector<double> values;       ///< of ranked: packed volume, less for many items
-  std::vector<PackedSize> sizes;    ///< of ranked
-  std::vector<std::vector<std::uint16_t>>
-      needs;  ///< [type][rank]: items of the type, kManyItems or more as that
-  std::vector<std::vector<Vec3>> orientations;  ///< of every type
+  std::vector<RankedBlock> ranked;                ///< all blocks by falling value
+  std::vector<PackedSize> sizes;                  ///< of ranked
+  std::vector<std::vector<std::uint16_t>> needs;  ///< [type][rank]: items of the type, at most kManyItems
+  std::vector<std::vector<Vec3>> orientations;    ///< of every type
+  std::vector<std::pair<PackedSize, std::size_t>> orientations_by_volume;  ///< rising; with the type
 
   static constexpr int kManyItems = 0xffff;
 };

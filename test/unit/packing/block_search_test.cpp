@@ -42,7 +42,7 @@ BlockState randomState(const BlockCatalog& catalog, const Stock& stock, std::mt1
     std::vector<std::size_t> fitting;
     for (const std::uint32_t rank : state.ranks()) {
       if (catalog.sizes[rank].fitsInto(PackedSize(where.space.size())))
-        fitting.push_back(catalog.ranked[rank]);
+        fitting.push_back(catalog.ranked[rank].index);
     }
     if (fitting.empty()) continue;
     const std::size_t block = fitting[rng() % fitting.size()];
@@ -88,7 +88,7 @@ TEST(BlockState, holdsTheSpacesOfThePalletAndTheBlocksThatRemain) {
     ASSERT_EQ(left, state.remaining());
     std::vector<std::uint32_t> ranks;
     for (std::uint32_t rank = 0; rank < catalog.ranked.size(); ++rank) {
-      const std::vector<TypeCount>& needs = catalog.blocks[catalog.ranked[rank]].needs;
+      const std::vector<TypeCount>& needs = catalog.blocks[catalog.ranked[rank].index].needs;
       const auto there = [&](const TypeCount& n) {
         return n.count <= left[static_cast<std::size_t>(n.type)];
       };
@@ -163,13 +163,13 @@ TEST(BlockScorer, ranksAsTheFormulaSays) {
       const Vec3 room = space.size();
       std::vector<double> scores;
       for (const std::uint32_t rank : state.ranks()) {
-        const Vec3& size = catalog.blocks[catalog.ranked[rank]].size;
+        const Vec3& size = catalog.blocks[catalog.ranked[rank].index].size;
         if (size.x > room.x || size.y > room.y || size.z > room.z) continue;
         const double used = (size.x + lengths.along(0, room.x - size.x)) *
                             static_cast<double>(size.y + lengths.along(1, room.y - size.y)) *
                             (size.z + lengths.along(2, room.z - size.z));
         const double share = touchingShare(pallet, where.originOf(size), size);
-        scores.push_back(catalog.values[rank] * used / static_cast<double>(volume(room)) *
+        scores.push_back(catalog.ranked[rank].value * used / static_cast<double>(volume(room)) *
                          std::pow(share, 4));
       }
       std::sort(scores.rbegin(), scores.rend());
