@@ -9,10 +9,10 @@
 namespace mixed_palletizing::adapters {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::chrono::milliseconds kPoll{50};
 constexpr double kSayWaitingEveryS = 5.0;
+
+using Clock = std::chrono::steady_clock;
 
 Clock::time_point deadlineIn(double seconds) {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
@@ -49,16 +49,19 @@ void CellServices::waitForAll() {
       resolve(options_.planner, names::kClosePallet), resolve(options_.camera, names::kTakeBox)};
   if (options_.triggers_camera) wanted.push_back(resolve(options_.camera, names::kCapture));
   const Clock::time_point deadline = deadlineIn(options_.service_wait_s);
-  for (const std::string& name : wanted) {
-    while (!ros::service::exists(name, false)) {
-      requireRunning();
-      if (Clock::now() > deadline) {
-        throw CellError("service " + name + " did not appear within " +
-                        std::to_string(static_cast<int>(options_.service_wait_s)) + " s");
-      }
-      ROS_INFO_STREAM_DELAYED_THROTTLE(kSayWaitingEveryS, "waiting for service " << name);
-      std::this_thread::sleep_for(kPoll);
+  for (const std::string& name : wanted) waitFor(name, deadline);
+}
+
+void CellServices::waitFor(const std::string& name, Clock::time_point deadline) {
+  requireRunning();
+  while (!ros::service::exists(name, false)) {
+    if (Clock::now() > deadline) {
+      throw CellError("service " + name + " did not appear within " +
+                      std::to_string(static_cast<int>(options_.service_wait_s)) + " s");
     }
+    ROS_INFO_STREAM_DELAYED_THROTTLE(kSayWaitingEveryS, "waiting for service " << name);
+    std::this_thread::sleep_for(kPoll);
+    requireRunning();
   }
 }
 
@@ -79,9 +82,8 @@ template <typename Service>
 typename Service::Response CellServices::call(const std::string& name,
                                               const typename Service::Request& request, double timeout_s,
                                               const std::function<void()>& meanwhile) {
-  requireRunning();
-  if (!ros::service::exists(name, false)) throw CellError("service " + name + " is not there any more");
-  const auto exchange = std::make_shared<Service>();  // of the thread alone, should it hang
+  waitFor(name, deadlineIn(options_.service_wait_s));  // its node may just be starting again
+  const auto exchange = std::make_shared<Service>();   // of the thread alone, should it hang
   exchange->request = request;
   std::packaged_task<bool()> task([name, exchange] { return ros::service::call(name, *exchange); });
   std::future<bool> answer = task.get_future();

@@ -22,7 +22,7 @@ struct CellLinkOptions {
   double calibration_timeout_s = 120.0;   ///< how long a calibration may take
   double call_timeout_s =
       30.0;  ///< a service that has not answered by then (beyond the times it was given) is dead
-  double service_wait_s = 30.0;  ///< how long services may take to appear
+  double service_wait_s = 30.0;  ///< how long services may take to appear, at the start or again later
   double move_s = 0.2;           ///< of ROS time: how long the pretended movement takes
 };
 

@@ -46,6 +46,7 @@ class CellServices : public CellLink {
   template <typename Service>
   typename Service::Response call(const std::string& name, const typename Service::Request& request,
                                   double timeout_s, const std::function<void()>& meanwhile = {});
+  void waitFor(const std::string& name, std::chrono::steady_clock::time_point deadline);
   void await(const std::string& name, std::future<bool>& answer, double timeout_s,
              const std::function<void()>& meanwhile);
   std::string resolve(const std::string& name_space, const char* name) const;
