@@ -119,7 +119,8 @@ class Detector(unittest.TestCase):
         rospy.sleep(0.5)
         while caller.is_alive():
             self.publish(cloud)
-            caller.join(1.0)
+            caller.join(4.0)  # a cloud is under way no longer than that
+        rospy.sleep(1.0)
         return answers[0]
 
     def answer_to(self, cloud, timeout_s=20.0):
