@@ -44,7 +44,7 @@ class Runs(unittest.TestCase):
     def test_wrong_parameters_stop_the_start(self):
         for node, wrong in [('box_detector_node', ['base_sorce:=floor', 'detection/cluster/min_points:=-3']),
                             ('pick_planner', ['planner/n_cots:=4', 'time_budget_s:=-1.0']),
-                            ('cell_executive', ['sede:=1', 'height_mm:=-600'])]:
+                            ('cell_executive', ['sede:=1', 'move_s:=-1.0'])]:
             run = rosrun(node, *('_' + w for w in wrong))
             self.assertNotEqual(run.returncode, 0, run.stdout)
             for word in wrong:  # the whole list at once
