@@ -23,6 +23,14 @@ BaseFrameAnswer missing(const std::string& reason, const std::string& message) {
   return {std::nullopt, reason, message};
 }
 
+void makeFolderOf(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (folder.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw std::runtime_error(folder.string() + ": " + error.message());
+}
+
 std::string poseText(const geometry::Pose& base_from_camera) {
   const Eigen::Vector3d p = base_from_camera.translation();
   const Eigen::Vector3d view = base_from_camera.linear().col(2);
@@ -104,6 +112,7 @@ BaseFrameAnswer BaseFrameKeeper::lookUp(const std::string& camera_frame, const r
 
 void BaseFrameKeeper::set(const std::string& camera_frame, const geometry::Pose& base_from_camera) {
   if (!options_.calibration_file.empty()) {
+    makeFolderOf(options_.calibration_file);
     Calibration calibration;
     calibration.base_frame = options_.base_frame;
     calibration.camera_frame = camera_frame;

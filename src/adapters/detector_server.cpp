@@ -2,9 +2,7 @@
 #include <exception>
 
 #include <ros/console.h>
-#include <ros/service.h>
 #include <sensor_msgs/Image.h>
-#include <std_srvs/Empty.h>
 
 #include <mixed_palletizing/adapters/box_messages.hpp>
 #include <mixed_palletizing/adapters/cloud_message.hpp>
@@ -23,7 +21,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kWarningInterval(5);
 constexpr double kDiagnosticsPeriodS = 1.0;
-constexpr double kLongestTimeoutS = 3600.0;
 constexpr std::uint32_t kServiceThreads = 4;  // that many callers can wait for clouds at a time
 
 ros::NodeHandle onQueue(ros::NodeHandle node, ros::CallbackQueue* queue) {
@@ -34,8 +31,6 @@ ros::NodeHandle onQueue(ros::NodeHandle node, ros::CallbackQueue* queue) {
 double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
-
-bool goodTimeout(double timeout_s) { return timeout_s >= 0.0 && timeout_s <= kLongestTimeoutS; }
 
 }  // namespace
 
@@ -130,89 +125,6 @@ DetectorServer::Processed DetectorServer::detectIn(const AcceptedCloud& cloud) {
   outputs_->publish(cloud, detections, result.boxes);
   diagnostics_->detected(detections, processing_ms);
   return result;
-}
-
-Arrival DetectorServer::awaitCloud(std::uint64_t sequence, double timeout_s, const ros::Time& not_before) {
-  const auto wait = std::chrono::duration<double>(timeout_s > 0.0 ? timeout_s : options_.cloud_timeout_s);
-  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(wait);
-  if (!options_.capture_service.empty()) {
-    std_srvs::Empty capture;  // the same on the wire as zivid_camera/Capture
-    if (!ros::service::call(siblingName(service_node_, options_.capture_service), capture)) {
-      ROS_WARN_STREAM("capture_service " << options_.capture_service << " does not answer");
-    }
-  }
-  for (;;) {
-    Arrival arrival = inbox_.waitAfter(sequence, deadline);
-    const bool too_old = arrival.kind == Arrival::Kind::kCloud && arrival.stamp < not_before;
-    if (!too_old) return arrival;
-    sequence = arrival.sequence;
-  }
-}
-
-bool DetectorServer::onDetect(DetectBoxesRequest& request, DetectBoxesResponse& response) {
-  try {
-    detect(request, response);
-  } catch (const std::exception& error) {
-    response.status = DetectBoxesResponse::FAILED;
-    response.message = error.what();
-  }
-  response.success = response.status == DetectBoxesResponse::OK ? 1 : 0;
-  return true;
-}
-
-void DetectorServer::detect(const DetectBoxesRequest& request, DetectBoxesResponse& response) {
-  if (!goodTimeout(request.timeout)) {
-    response.status = DetectBoxesResponse::BAD_REQUEST;
-    response.message = "timeout: " + std::to_string(request.timeout) + " s is not within 0 and 3600";
-    return;
-  }
-  if (!base_frame_.calibrated()) {
-    response.status = DetectBoxesResponse::NOT_CALIBRATED;
-    response.message = "there is no base frame yet: call the service calibrate";
-    return;
-  }
-  Arrival arrival = inbox_.latest();
-  const bool came_before =
-      arrival.sequence > 0 && !request.not_before.isZero() && arrival.stamp >= request.not_before;
-  if (!came_before) arrival = awaitCloud(arrival.sequence, request.timeout, request.not_before);
-  if (arrival.kind != Arrival::Kind::kCloud) {
-    const bool dropped = arrival.kind == Arrival::Kind::kDropped;
-    response.status = dropped ? DetectBoxesResponse::BAD_CLOUD : DetectBoxesResponse::TIMEOUT;
-    response.message = dropped ? arrival.dropped : "no cloud came on " + points_.getTopic();
-    return;
-  }
-  const Processed processed = process(arrival.cloud);
-  response.status = processed.status;
-  response.message = processed.message;
-  if (processed.boxes) response.boxes = *processed.boxes;
-}
-
-bool DetectorServer::onCalibrate(CalibrateRequest& request, CalibrateResponse& response) {
-  try {
-    calibrate(request, response);
-  } catch (const std::exception& error) {
-    response.status = CalibrateResponse::FAILED;
-    response.message = error.what();
-  }
-  response.success = response.status == CalibrateResponse::OK ? 1 : 0;
-  ROS_INFO_STREAM("calibration: " << response.message);
-  return true;
-}
-
-void DetectorServer::calibrate(const CalibrateRequest& request, CalibrateResponse& response) {
-  CalibrationRun run(options_, request);
-  const std::unique_lock<std::mutex> lock(calibrating_, std::try_to_lock);
-  if (!run.failed() && !lock.owns_lock())
-    run.fail(CalibrateResponse::BUSY, "another calibration is under way");
-  while (run.wantsCloud()) {
-    const Arrival arrival = awaitCloud(inbox_.sequence(), request.timeout, ros::Time());
-    run.add(arrival);
-    if (marker_image_.getNumSubscribers() > 0 && arrival.kind == Arrival::Kind::kCloud) {
-      marker_image_.publish(run.markerImage(arrival.cloud));
-    }
-  }
-  run.finish(base_frame_);
-  response = run.response();
 }
 
 void DetectorServer::calibrateWith(const AcceptedCloud& cloud) {

@@ -21,6 +21,16 @@ void readGenetic(OptionReader reader, packing::GeneticOptions& options) {
   reader.read("seed", options.seed);
 }
 
+/// The methods this planner has.
+std::vector<std::pair<std::string, planning::PlanMethod>> methodWords() {
+  std::vector<std::pair<std::string, planning::PlanMethod>> words;
+  for (const char* word : {"dblf", "ga", "best"}) {
+    const auto method = planning::planMethodFromString(word);
+    if (method) words.emplace_back(word, *method);
+  }
+  return words;
+}
+
 /// The broken rules of a nested struct, named by where it stands.
 void append(const std::string& prefix, const std::vector<std::string>& more, std::vector<std::string>& all) {
   for (const std::string& line : more) all.push_back(prefix + line);
@@ -65,9 +75,7 @@ PickPlannerOptions readPickPlannerOptions(const YAML::Node& tree) {
   matching.read("tolerance_mm", options.matching.tolerance_mm);
   matching.read("sigmas", options.matching.sigmas);
   OptionReader planner = reader.section("planner");
-  planner.readWord<planning::PlanMethod>(
-      "method", options.planner.method,
-      {{"dblf", planning::PlanMethod::kDblf}, {"ga", planning::PlanMethod::kGa}});
+  planner.readWord<planning::PlanMethod>("method", options.planner.method, methodWords());
   planner.read("n_cost", options.planner.n_cost);
   planner.readWord<planning::CostComparison>("comparison", options.planner.comparison,
                                              {{"lexicographic", planning::CostComparison::kLexicographic},

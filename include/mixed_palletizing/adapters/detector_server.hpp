@@ -60,6 +60,8 @@ class DetectorServer {
   /// The next cloud after arrival `sequence` that is not older than `not_before`; triggers the camera when its
   /// capture service is known.
   Arrival awaitCloud(std::uint64_t sequence, double timeout_s, const ros::Time& not_before);
+  /// True when the camera was asked for a cloud.
+  bool triggerCamera(std::chrono::steady_clock::time_point deadline);
 
   const DetectorOptions options_;
   ros::CallbackQueue cloud_queue_;
