@@ -69,8 +69,7 @@ std::vector<PixelMarker> detectMarkers(const geometry::CloudView& cloud, const M
     throw std::invalid_argument("detectMarkers: dictionary: '" + options.dictionary +
                                 "' is unknown to OpenCV");
   }
-  const auto dictionary =
-      cv::aruco::getPredefinedDictionary(static_cast<cv::aruco::PREDEFINED_DICTIONARY_NAME>(*number));
+  const auto dictionary = cv::aruco::getPredefinedDictionary(*number);
   cv::Mat gray = grayImage(cloud);
   std::vector<PixelMarker> markers;
   addMarkers(gray, dictionary, markers);

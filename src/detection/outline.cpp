@@ -41,7 +41,7 @@ class SampleMaker {
   }
 
   Eigen::Vector3d borderRay(int row, int col, int down, int right, int depth) const {
-    const Eigen::Vector3d last = cloud_.ray(row, col);
+    Eigen::Vector3d last = cloud_.ray(row, col);
     for (int back = std::min(kSlopePixels, depth - 1); back > 0; --back) {
       const int inner_row = row - back * down;
       const int inner_col = col - back * right;

@@ -47,7 +47,7 @@ std::size_t forEachPoint(const geometry::CloudView& cloud, Visit visit) {
 
 /// Every n-th point with data, in an order drawn from the seed.
 Points::Ptr drawSubset(const geometry::CloudView& cloud, std::size_t valid, int seed) {
-  const Points::Ptr subset(new Points);
+  Points::Ptr subset(new Points);
   const std::size_t stride = std::max<std::size_t>(1, valid / kSubset);
   std::mt19937 rng(static_cast<std::mt19937::result_type>(seed));
   std::size_t index = rng() % stride;

@@ -41,6 +41,7 @@ double median(std::vector<double>& values) {
 /// Tukey's weights over the variance of the side's residuals; returns their robust standard deviation.
 double weigh(std::size_t side, const Solution& s, double smallest_m, std::vector<Vote>& votes) {
   std::vector<double> sizes;
+  sizes.reserve(votes.size());
   for (const Vote& vote : votes) sizes.push_back(std::abs(residual(vote, side, s)));
   const double scale = std::max(smallest_m, median(sizes) / kNormalMedian);
   for (Vote& vote : votes) {
