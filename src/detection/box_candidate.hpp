@@ -1,6 +1,7 @@
 // From one cluster to one box, or to the reason why it is none.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -35,7 +36,8 @@ struct Refusal {
 /// Runs the stages after the clusters; keeps its buffers between calls.
 class BoxCandidate {
  public:
-  BoxCandidate(const DetectionOptions& options) : options_(options) {}
+  /// The options must outlive this object.
+  explicit BoxCandidate(const DetectionOptions& options) : options_(options) {}
 
   /// `shape` is measured from `cluster`. Adds the time of its stages to the clock.
   std::variant<FoundBox, Refusal> examine(const BaseCloud& cloud, const geometry::Pose& base_from_camera,

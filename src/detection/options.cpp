@@ -63,7 +63,7 @@ void checkCalibration(const DetectionOptions& options, Rules& rules) {
 
 void checkTop(const TopOptions& top, Rules& rules) {
   rules.positive("top.height_patch_radius_m", top.height_patch_radius_m);
-  rules.positive("top.slice_m", top.slice_m);
+  rules.atLeast("top.slice_m", top.slice_m, 1e-5);  // the height profile has a count for each
   rules.positive("top.search_depth_m", top.search_depth_m);
   if (top.search_depth_m < top.slice_m) {
     rules.add("top.search_depth_m", top.search_depth_m, "is less than top.slice_m");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 #include <sstream>
+#include <stdexcept>
 #include <vector>
 
 #include <pcl/point_cloud.h>
@@ -103,10 +104,13 @@ std::optional<PlaneFit> refine(const geometry::CloudView& cloud, const Points& s
       if (std::abs(plane.signedDistance(p)) < distance) inliers.add(p);
     });
     fit.inliers = inliers.count();
-    if (fit.inliers < 3) return std::nullopt;
-    const geometry::PlaneAccumulator::Fit best = inliers.fit();
-    plane = best.plane;
-    fit.rms_m = best.rms_m;
+    try {
+      const geometry::PlaneAccumulator::Fit best = inliers.fit();
+      plane = best.plane;
+      fit.rms_m = best.rms_m;
+    } catch (const std::invalid_argument&) {
+      return std::nullopt;  // too few inliers, or all on one line
+    }
   }
   fit.distance_m = distance;
   fit.plane = plane.facing(Eigen::Vector3d::Zero());
