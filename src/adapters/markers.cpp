@@ -62,7 +62,7 @@ void addPlaced(const PalletState& state, MarkerSet& set) {
     const Eigen::Vector3d center = centerOf(placement);
     set.cuboid("placed", at(center), size, paletteColor(placement.type_index));
     set.edges("placed_outlines", at(center), size, kLineM, color(0x202020));
-    const Eigen::Vector3d top = center + Eigen::Vector3d(0, 0, size.z() / 2 + 0.01);
+    const Eigen::Vector3d top = center + Eigen::Vector3d(0, 0, size.z() / 2 + 0.9 * kLetterM);
     set.text("placed_labels", top, kLetterM, std::to_string(i + 1), color(kWhite));
   }
 }
