@@ -175,6 +175,61 @@ TEST(PickArea, RefusesWhatCannotBe) {
   EXPECT_THROW(PickArea(unsound, 0, layout, 1), std::invalid_argument);
 }
 
+/// Tall and low boxes so near to each other that only hiding matters: the layout and the ray caster agree.
+TEST(CellLayout, AllowsExactlyWhatHidesNothing) {
+  CellSimulatorOptions options;
+  options.layout.gap_m = 1e-4;
+  const simulation::Scene whole = cellScene(options);
+  const CellLayout layout(whole, options.layout);
+  simulation::Scene scene = whole;
+  scene.camera.width_px = 768;
+  scene.camera.height_px = 480;
+  scene.has_marker = false;
+  int allowed = 0;
+  int refused = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937_64 random(seed);
+    simulation::SceneBox low;
+    low.size_m = {0.3, 0.2, 0.1};
+    ASSERT_TRUE(layout.place(low, {}, random));
+    simulation::SceneBox tall;
+    tall.size_m = {0.3, 0.2, 0.5};
+    const double towards = std::uniform_real_distribution<double>(-M_PI, M_PI)(random);
+    const double apart = std::uniform_real_distribution<double>(0.3, 0.5)(random);
+    tall.position_m = low.position_m + apart * Eigen::Vector2d(std::cos(towards), std::sin(towards));
+    tall.yaw_rad = towards;
+    simulation::SceneBox grown = tall;  // beyond the layout's margin and the width of a pixel
+    grown.size_m.head<2>() += Eigen::Vector2d::Constant(2 * 0.02);
+    if (!layout.allows(tall, {}) || geometry::distance(footprint(grown), footprint(low)) < 0.001) continue;
+    if (layout.allows(tall, {low})) {
+      ++allowed;
+      scene.boxes = {low, tall};
+      EXPECT_GT(simulation::capture(scene, seed).top_visibility[0], 0.999);
+    } else {
+      ++refused;
+      scene.boxes = {low, grown};
+      EXPECT_LT(simulation::capture(scene, seed).top_visibility[0], 1.0) << "not even near to hiding";
+    }
+    EXPECT_EQ(layout.allows(tall, {low}), layout.allows(low, {tall}));
+  }
+  EXPECT_GT(allowed, 5);
+  EXPECT_GT(refused, 5);
+}
+
+TEST(CellLayout, KeepsTheMarkerInView) {
+  const CellSimulatorOptions options;
+  const simulation::Scene scene = cellScene(options);
+  const CellLayout layout(scene, options.layout);
+  // The camera hangs on the +x side of the marker, so a high box there stands between the two.
+  simulation::SceneBox box;
+  box.position_m = {0.27, 0.0};
+  box.size_m = {0.2, 0.2, 0.1};
+  EXPECT_TRUE(layout.allows(box, {}));
+  box.size_m.z() = 0.35;
+  EXPECT_FALSE(layout.allows(box, {}));
+}
+
 TEST(CellLayout, RefusesCamerasThatCannotWork) {
   CellSimulatorOptions options;
   options.camera.tilt_deg = 75.0;
