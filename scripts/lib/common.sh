@@ -46,7 +46,8 @@ install_packages_noetic() {
 # make_workspace [TARGET...]: configures and builds the catkin workspace around this checkout.
 make_workspace() {
   export PATH=/usr/bin:$PATH  # ROS' Python modules belong to the system's python3
-  mkdir -p "$workspace/src"
+  # catkin writes the tests' PYTHONPATH while it configures, and leaves out folders that do not exist by then
+  mkdir -p "$workspace/src" "$workspace/devel/lib/python3/dist-packages"
   ln -sfn "$root" "$workspace/src/mixed_palletizing"
   say "building in $workspace"
   local log="$workspace/build.log" target
