@@ -70,9 +70,9 @@ void fromRosMessage(benchmark::State& state) {
 }
 BENCHMARK(fromRosMessage)->Unit(benchmark::kMillisecond);
 
-void detect(benchmark::State& state, bool refine) {
+void detect(benchmark::State& state, detection::Method method) {
   detection::DetectionOptions options;
-  options.top.refine = refine;
+  options.method = method;
   detection::BoxDetector detector(options);
   detection::Detections last;
   for (auto _ : state) {
@@ -82,8 +82,8 @@ void detect(benchmark::State& state, bool refine) {
   state.counters["boxes"] = static_cast<double>(last.boxes.size());
   for (const detection::StageTime& time : last.stage_times) state.counters[time.stage] = time.milliseconds;
 }
-BENCHMARK_CAPTURE(detect, refined, true)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(detect, thesis, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(detect, best, detection::Method::kBest)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(detect, thesis, detection::Method::kThesis)->Unit(benchmark::kMillisecond);
 
 void findBaseFrame(benchmark::State& state) {
   for (auto _ : state) {

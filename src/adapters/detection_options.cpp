@@ -2,7 +2,14 @@
 
 namespace mixed_palletizing::adapters {
 
+const std::vector<std::pair<std::string, detection::Method>>& detectionMethods() {
+  static const std::vector<std::pair<std::string, detection::Method>> words = {
+      {"best", detection::Method::kBest}, {"thesis", detection::Method::kThesis}};
+  return words;
+}
+
 void readDetectionOptions(OptionReader& reader, detection::DetectionOptions& options) {
+  reader.readWord("method", options.method, detectionMethods());
   OptionReader plane = reader.section("plane");
   plane.read("distance_m", options.plane.distance_m);
   plane.read("probability", options.plane.probability);
@@ -30,7 +37,6 @@ void readDetectionOptions(OptionReader& reader, detection::DetectionOptions& opt
   top.read("new_edge_angle_rad", options.top.new_edge_angle_rad);
   top.read("merge_angle_rad", options.top.merge_angle_rad);
   top.read("uneven_m", options.top.uneven_m);
-  top.read("refine", options.top.refine);
   OptionReader box = reader.section("box");
   box.read("min_side_m", options.box.min_side_m);
   box.read("max_side_m", options.box.max_side_m);

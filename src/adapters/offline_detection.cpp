@@ -8,6 +8,7 @@
 #include <mixed_palletizing/adapters/cloud_bag.hpp>
 #include <mixed_palletizing/adapters/cloud_files.hpp>
 #include <mixed_palletizing/adapters/cloud_message.hpp>
+#include <mixed_palletizing/adapters/detection_options.hpp>
 #include <mixed_palletizing/adapters/detector_options.hpp>
 #include <mixed_palletizing/adapters/names.hpp>
 #include <mixed_palletizing/adapters/offline_detection.hpp>
@@ -54,6 +55,13 @@ detection::DetectionOptions optionsFrom(const std::string& path) {
     }
     throw std::invalid_argument(path + ": " + text);
   }
+}
+
+detection::Method methodOf(const std::string& word) {
+  for (const auto& method : detectionMethods()) {
+    if (method.first == word) return method.second;
+  }
+  throw std::invalid_argument("method: '" + word + "' is neither 'best' nor 'thesis'");
 }
 
 std::string describe(const detection::BaseFrame& frame, const std::string& origin) {
@@ -129,7 +137,8 @@ OfflineDetection detectOffline(const OfflineDetectionRequest& request) {
   if (request.repeat < 1) {
     throw std::invalid_argument("repeat: " + std::to_string(request.repeat) + " is less than 1");
   }
-  const detection::DetectionOptions options = optionsFrom(request.params);
+  detection::DetectionOptions options = optionsFrom(request.params);
+  if (!request.method.empty()) options.method = methodOf(request.method);
   const std::string origin = request.bag.empty() ? request.cloud : request.bag;
   const sensor_msgs::PointCloud2ConstPtr message =
       request.bag.empty() ? fromFile(request.cloud) : firstOf(request.bag, request.topic);

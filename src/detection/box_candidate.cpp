@@ -80,8 +80,8 @@ std::variant<RectangleFit, Refusal> BoxCandidate::findRectangle(const Context& c
                                     2.0 * options_.noise.spacings * scale.spacing_m});
   const EdgeRectangle start = rectangleFromEdges(hull, findEdges(hull, min_edge, options_.top));
   const Eigen::Vector2d camera = context.cloud.camera().head<2>();
-  const RectangleFit fit =
-      options_.top.refine ? fitRectangle(outline_, start, camera, scale) : keepRectangle(start, scale);
+  const RectangleFit fit = options_.method == Method::kBest ? fitRectangle(outline_, start, camera, scale)
+                                                            : keepRectangle(start, scale);
   const double tolerance = std::max(0.003, options_.noise.sigmas * height_.stddev_m);
   match_ = matchOutline(outline_, fit.rectangle, camera, tolerance, options_.noise.spacings);
   clock.done("rectangle");
@@ -108,7 +108,7 @@ std::optional<Refusal> BoxCandidate::judge(const Context& context, const Rectang
                                options_.box.min_rectangularity)};
   }
   const bool hidden = match_.occluded_ratio > kSeenShare || match_.border_ratio > kSeenShare;
-  if (options_.top.refine && fit.foundSides() < 4 && !hidden) {
+  if (options_.method == Method::kBest && fit.foundSides() < 4 && !hidden) {
     return Refusal{RejectReason::kNotRectangular,
                    size + text(", only %d sides have a straight outline, and nothing hides the others",
                                fit.foundSides())};

@@ -1,12 +1,19 @@
 // Options of the detection from YAML or from the parameter server's tree.
 #pragma once
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <mixed_palletizing/adapters/option_reader.hpp>
 #include <mixed_palletizing/detection/options.hpp>
 
 namespace mixed_palletizing::adapters {
 
-/// Reads every key of the sections plane, marker, noise, cluster, top, box; absent keys keep the value that
+/// The words for the methods, in files and on command lines.
+const std::vector<std::pair<std::string, detection::Method>>& detectionMethods();
+
+/// Reads the method and every key of the sections plane, marker, noise, cluster, top, box; absent keys keep the value that
 /// `options` has. Broken rules become problems of the reader, whose finish() throws them all at once.
 void readDetectionOptions(OptionReader& reader, detection::DetectionOptions& options);
 

@@ -6,6 +6,12 @@
 
 namespace mixed_palletizing::detection {
 
+/// How boxes are found in a cloud.
+enum class Method {
+  kBest,    ///< the best there is
+  kThesis,  ///< the chain of chapter 3.2 of the source thesis, for comparison
+};
+
 /// RANSAC for the floor plane (thesis 3.2.1).
 struct PlaneOptions {
   double distance_m = 0.005;      ///< inlier distance; grown to the measured noise where the sensor is coarse
@@ -46,7 +52,6 @@ struct TopOptions {
   double new_edge_angle_rad = 1.3963;   ///< th_add of Algorithm 2: 80 degrees
   double merge_angle_rad = 0.17453;     ///< th_merge of Algorithm 2: 10 degrees
   double uneven_m = 0.004;              ///< a top whose surface strays more from a level is UNEVEN_TOP
-  bool refine = true;  ///< fit the rectangle to the whole outline; false: the thesis' edges alone
 };
 
 /// What may be called a box.
@@ -59,6 +64,7 @@ struct BoxOptions {
 };
 
 struct DetectionOptions {
+  Method method = Method::kBest;
   PlaneOptions plane;
   MarkerOptions marker;
   NoiseOptions noise;

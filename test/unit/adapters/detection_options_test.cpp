@@ -22,13 +22,12 @@ TEST(DetectionOptionsFromYaml, keepTheDefaultOfAbsentKeys) {
   const auto empty = read("{}");
   EXPECT_EQ(empty.plane.max_iterations, defaults.plane.max_iterations);
   EXPECT_EQ(empty.marker.dictionary, defaults.marker.dictionary);
-  const auto some =
-      read("{plane: {distance_m: 0.02}, marker: {id: 3, inverted: false}, top: {refine: false}}");
+  const auto some = read("{plane: {distance_m: 0.02}, marker: {id: 3, inverted: false}, method: thesis}");
   EXPECT_EQ(some.plane.distance_m, 0.02);
   EXPECT_EQ(some.plane.seed, defaults.plane.seed);
   EXPECT_EQ(some.marker.id, 3);
   EXPECT_FALSE(some.marker.inverted);
-  EXPECT_FALSE(some.top.refine);
+  EXPECT_EQ(some.method, detection::Method::kThesis);
   EXPECT_EQ(some.box.max_side_m, defaults.box.max_side_m);
 }
 

@@ -65,7 +65,7 @@ std::vector<double> numbers(const detection::DetectionOptions& o) {
           o.top.new_edge_angle_rad,
           o.top.merge_angle_rad,
           o.top.uneven_m,
-          double(o.top.refine),
+          double(o.method),
           o.box.min_side_m,
           o.box.max_side_m,
           o.box.min_rectangularity,

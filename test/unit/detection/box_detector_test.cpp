@@ -79,7 +79,7 @@ TEST(BoxDetector, standsShadowsDropOutsAndFlyingPixels) {
 TEST(BoxDetector, findsTheSameBoxesByTheThesisAlone) {
   const Bounds bounds{0.002, 0.01, 0.004, 0.0003};
   DetectionOptions options;
-  options.top.refine = false;
+  options.method = Method::kThesis;
   for (std::uint64_t seed = 560; seed < 566; ++seed) {
     expectAllFound(simulation::randomScene(test::sceneOptions(0.0003, 960, 600), seed), seed, options,
                    bounds);
