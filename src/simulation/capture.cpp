@@ -25,9 +25,6 @@ const Eigen::Vector3d kTowardsLamp(0.35, -0.25, 0.9);  // in the world, of about
 
 constexpr std::uint32_t kBackground = 0x202020;
 
-/// Ink below this luma (of 1) sends too little of the projector's light back.
-constexpr float kDarkLuma = 0.2f;
-
 float luma(const Eigen::Vector3f& rgb) {
   return (0.299f * rgb.x() + 0.587f * rgb.y() + 0.114f * rgb.z()) / 255.0f;
 }
@@ -63,20 +60,21 @@ class Renderer {
     sample.rgb = kBackground;
     if (hit.object < 0) return sample;
     const Eigen::Vector3f albedo = objects_[static_cast<std::size_t>(hit.object)].surface->albedo(hit, ray);
+    const double cosine = std::abs(hit.normal.dot(ray)) / ray.norm();
     sample.object = hit.object;
     sample.face = hit.face;
     sample.depth_m = hit.depth_m;
-    sample.is_dark = luma(albedo) < kDarkLuma;
+    sample.luma = luma(albedo);
+    sample.cosine = static_cast<float>(cosine);
     sample.is_lit = !projector_ || isLit(hit, hit.depth_m * ray);
-    sample.rgb = pack(albedo * static_cast<float>(light(hit, ray)));
+    sample.rgb = pack(albedo * static_cast<float>(light(hit, cosine)));
     return sample;
   }
 
  private:
-  double light(const RayHit& hit, const Eigen::Vector3d& ray) const {
+  double light(const RayHit& hit, double cosine) const {
     const double to_lamp = std::max(0.0, hit.normal.dot(towards_lamp_));
-    const double to_camera = std::abs(hit.normal.dot(ray)) / ray.norm();
-    return kAmbientLight + kLampLight * to_lamp + kCameraLight * to_camera;
+    return kAmbientLight + kLampLight * to_lamp + kCameraLight * cosine;
   }
 
   bool isLit(const RayHit& hit, const Eigen::Vector3d& point) const {

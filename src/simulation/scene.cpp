@@ -22,11 +22,6 @@ geometry::Pose lookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target)
   return world_from_camera;
 }
 
-geometry::Pose worldFromBox(const SceneBox& box) {
-  const double center_z = box.base_z_m + 0.5 * box.size_m.z();
-  return geometry::poseFromYaw({box.position_m.x(), box.position_m.y(), center_z}, box.yaw_rad);
-}
-
 geometry::Pose worldFromMarker(const Marker& marker) {
   return geometry::poseFromYaw({marker.position_m.x(), marker.position_m.y(), 0.0}, marker.yaw_rad);
 }

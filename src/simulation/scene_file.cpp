@@ -88,6 +88,40 @@ void readFaceColors(YamlSection section, SceneBox& box) {
   section.finish();
 }
 
+BoxFace readSide(YamlSection& section) {
+  const std::array<std::pair<const char*, BoxFace>, 4> sides = {{{"minus_x", BoxFace::kMinusX},
+                                                                 {"plus_x", BoxFace::kPlusX},
+                                                                 {"minus_y", BoxFace::kMinusY},
+                                                                 {"plus_y", BoxFace::kPlusY}}};
+  std::string text = "plus_x";
+  section.read("side", text);
+  for (const auto& [name, face] : sides) {
+    if (text == name) return face;
+  }
+  section.add("side", "'" + text + "' is none of minus_x, plus_x, minus_y, plus_y");
+  return BoxFace::kPlusX;
+}
+
+void readShape(YamlSection section, BoxShape& shape) {
+  section.read("bulge_m", shape.bulge_m);
+  section.read("rounding_m", shape.rounding_m);
+  for (YamlSection& entry : section.list("dents")) {
+    BoxDent& dent = shape.dents.emplace_back();
+    entry.read("center_m", dent.center_m);
+    entry.read("radius_m", dent.radius_m);
+    entry.read("depth_m", dent.depth_m);
+    entry.finish();
+  }
+  for (YamlSection& entry : section.list("flaps")) {
+    BoxFlap& flap = shape.flaps.emplace_back();
+    flap.side = readSide(entry);
+    entry.read("length_m", flap.length_m);
+    entry.readAngle("angle", flap.angle_rad);
+    entry.finish();
+  }
+  section.finish();
+}
+
 void readBox(YamlSection section, SceneBox& box) {
   section.read("name", box.name);
   section.read("size_m", box.size_m);
@@ -97,6 +131,7 @@ void readBox(YamlSection section, SceneBox& box) {
   section.read("rgb", box.rgb);
   readFaceColors(section.section("face_rgb"), box);
   for (YamlSection& label : section.list("labels")) readLabel(label, box.labels.emplace_back());
+  readShape(section.section("shape"), box.shape);
   section.finish();
 }
 
@@ -106,6 +141,8 @@ void readNoise(YamlSection section, Noise& noise) {
   section.read("dropout_ratio", noise.dropout_ratio);
   section.read("flying_pixel_ratio", noise.flying_pixel_ratio);
   section.read("depth_edge_m", noise.depth_edge_m);
+  section.read("dark_noise_gain", noise.dark_noise_gain);
+  section.read("grazing_noise_gain", noise.grazing_noise_gain);
   section.finish();
 }
 

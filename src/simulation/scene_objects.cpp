@@ -6,6 +6,7 @@
 
 #include <mixed_palletizing/simulation/pinhole.hpp>
 
+#include "box_mesh.hpp"
 #include "marker_picture.hpp"
 
 namespace mixed_palletizing::simulation {
@@ -81,13 +82,14 @@ class BoxSurface : public Surface {
   BoxSurface(const SceneBox& box, const Pose& camera_from_box)
       : labels_(box.labels), box_from_camera_(camera_from_box.inverse()) {
     for (std::size_t face = 0; face < face_rgb_.size(); ++face) {
-      face_rgb_[face] = toVector(box.face_rgb[face].value_or(box.rgb));
+      const std::uint32_t rgb = face < kFlapFace ? box.face_rgb[face].value_or(box.rgb) : box.rgb;
+      face_rgb_[face] = toVector(rgb);
     }
   }
 
   Eigen::Vector3f albedo(const RayHit& hit, const Eigen::Vector3d& direction) const override {
     Eigen::Vector3f rgb = face_rgb_[hit.face];
-    if (labels_.empty()) return rgb;
+    if (labels_.empty() || hit.face == kFlapFace) return rgb;
     const bool is_top = hit.face == static_cast<std::uint8_t>(BoxFace::kTop);
     const Eigen::Vector2d point = (box_from_camera_ * (hit.depth_m * direction)).head<2>();
     for (const BoxLabel& label : labels_) {
@@ -99,7 +101,7 @@ class BoxSurface : public Surface {
   }
 
  private:
-  std::array<Eigen::Vector3f, 6> face_rgb_;
+  std::array<Eigen::Vector3f, kFlapFace + 1> face_rgb_;
   std::vector<BoxLabel> labels_;
   Pose box_from_camera_;
 };
@@ -112,25 +114,6 @@ Mesh floorMesh(const Floor& floor, const Pose& camera_from_world) {
           {Eigen::Vector3d(-x, -y, 0), Eigen::Vector3d(x, -y, 0), Eigen::Vector3d(x, y, 0),
            Eigen::Vector3d(-x, y, 0)},
           0);
-  return mesh;
-}
-
-/// Corners of a face counter-clockwise seen from outside, in the box's own axes.
-std::array<Eigen::Vector3d, 4> faceCorners(const SceneBox& box, BoxFace face) {
-  const int axis = static_cast<int>(face) / 2;
-  const double sign = static_cast<int>(face) % 2 == 0 ? -1.0 : 1.0;
-  const Eigen::Vector3d half = 0.5 * box.size_m;
-  const Eigen::Vector3d middle = sign * half[axis] * Eigen::Vector3d::Unit(axis);
-  const Eigen::Vector3d u = half[(axis + 1) % 3] * Eigen::Vector3d::Unit((axis + 1) % 3);
-  const Eigen::Vector3d v = sign * half[(axis + 2) % 3] * Eigen::Vector3d::Unit((axis + 2) % 3);
-  return {middle - u - v, middle + u - v, middle + u + v, middle - u + v};
-}
-
-Mesh boxMesh(const SceneBox& box, const Pose& camera_from_box) {
-  Mesh mesh;
-  for (std::uint8_t face = 0; face < 6; ++face) {
-    addQuad(mesh, camera_from_box, faceCorners(box, static_cast<BoxFace>(face)), face);
-  }
   return mesh;
 }
 
@@ -150,8 +133,13 @@ std::vector<SceneObject> buildObjects(const Scene& scene) {
 std::vector<Eigen::Vector3d> topCorners(const SceneBox& box, const Pose& camera_from_world) {
   const Pose camera_from_box = camera_from_world * worldFromBox(box);
   std::vector<Eigen::Vector3d> corners;
-  for (const Eigen::Vector3d& corner : faceCorners(box, BoxFace::kTop))
+  // The outer half of a rounded edge is more a side than the top.
+  const Eigen::Array2d inset = Eigen::Array2d::Constant((1.0 - std::sqrt(0.5)) * box.shape.rounding_m);
+  const Eigen::Array2d share = 1.0 - 2.0 * inset / box.size_m.head<2>().array();
+  for (Eigen::Vector3d corner : faceCorners(box, BoxFace::kTop)) {
+    corner.head<2>().array() *= share;
     corners.push_back(camera_from_box * corner);
+  }
   return corners;
 }
 

@@ -29,7 +29,8 @@ struct SceneObject {
 /// Object 0 is the floor with the marker, object i + 1 is scene.boxes[i].
 std::vector<SceneObject> buildObjects(const Scene& scene);
 
-/// Corners of a box's top in the optical frame [m], in order around it.
+/// Corners of a box's top in the optical frame [m], in order around it: of the nominal plane, less the half of
+/// the rounded edges that belongs to the sides.
 std::vector<Eigen::Vector3d> topCorners(const SceneBox& box, const geometry::Pose& camera_from_world);
 
 }  // namespace mixed_palletizing::simulation

@@ -13,6 +13,11 @@ constexpr int kMaxPixels = 64 * 1024 * 1024;
 constexpr std::size_t kMaxBoxes = 65535;  // the mask has 16 bits
 constexpr double kMaxLength = 100.0;      // [m]: a larger number is a length in millimetres
 constexpr double kAllowedOverlap = 1e-4;  // [m]
+constexpr double kMaxGain = 100.0;
+constexpr double kMaxBulge = 0.03;     // [m]
+constexpr double kMaxRounding = 0.02;  // [m]
+constexpr double kMaxDent = 0.03;      // [m]
+constexpr std::size_t kMaxDents = 32;  // of a box
 constexpr double kPi = 3.14159265358979323846;
 
 /// Collects broken rules.
@@ -100,6 +105,43 @@ void checkNoise(const Noise& noise, Rules& rules) {
   rules.ratio("noise.dropout_ratio", noise.dropout_ratio);
   rules.ratio("noise.flying_pixel_ratio", noise.flying_pixel_ratio);
   rules.length("noise.depth_edge_m", noise.depth_edge_m);
+  const auto gain = [&](const std::string& key, double value) {
+    rules.require(value >= 0.0 && value <= kMaxGain, key, value, "is not in [0, 100]");
+  };
+  gain("noise.dark_noise_gain", noise.dark_noise_gain);
+  gain("noise.grazing_noise_gain", noise.grazing_noise_gain);
+}
+
+void checkShape(const SceneBox& box, const std::string& key, Rules& rules) {
+  const BoxShape& shape = box.shape;
+  const double least = box.size_m.minCoeff();
+  rules.require(std::abs(shape.bulge_m) <= std::min(kMaxBulge, 0.5 * box.size_m.z()), key + ".bulge_m",
+                shape.bulge_m, "is not within 0.03 m and half the height");
+  rules.require(shape.rounding_m >= 0.0 && shape.rounding_m <= std::min(kMaxRounding, 0.25 * least),
+                key + ".rounding_m", shape.rounding_m,
+                "is not in [0, 0.02] m and a quarter of the least side");
+  rules.require(shape.dents.size() <= kMaxDents, key + ".dents", shape.dents.size(),
+                "dents are more than 32");
+  for (std::size_t i = 0; i < shape.dents.size(); ++i) {
+    const BoxDent& dent = shape.dents[i];
+    const std::string dent_key = key + ".dents[" + std::to_string(i) + "]";
+    const bool on_top = (dent.center_m.array().abs() <= 0.5 * box.size_m.head<2>().array()).all();
+    rules.require(on_top, dent_key + ".center_m", dent.center_m.transpose(), "is not on the top");
+    rules.require(dent.radius_m >= 0.002 && dent.radius_m <= kMaxLength, dent_key + ".radius_m",
+                  dent.radius_m, "is not in [0.002, 100] m");
+    rules.require(dent.depth_m > 0.0 && dent.depth_m <= std::min(kMaxDent, 0.25 * box.size_m.z()),
+                  dent_key + ".depth_m", dent.depth_m, "is not in (0, 0.03] m and a quarter of the height");
+  }
+  for (std::size_t i = 0; i < shape.flaps.size(); ++i) {
+    const BoxFlap& flap = shape.flaps[i];
+    const std::string flap_key = key + ".flaps[" + std::to_string(i) + "]";
+    rules.require(flap.side < BoxFace::kBottom, flap_key + ".side", static_cast<int>(flap.side),
+                  "is no side");
+    rules.require(flap.length_m > 0.0 && flap.length_m <= box.size_m.maxCoeff(), flap_key + ".length_m",
+                  flap.length_m, "is not in (0, longest side of the box] m");
+    rules.require(flap.angle_rad >= 0.0 && flap.angle_rad <= 1.5 * kPi, flap_key + ".angle",
+                  flap.angle_rad * 180.0 / kPi, "is not in [0, 270] degrees");
+  }
 }
 
 void checkBox(const SceneBox& box, const std::string& key, Rules& rules) {
@@ -116,12 +158,16 @@ void checkBox(const SceneBox& box, const std::string& key, Rules& rules) {
     rules.lengths(label + ".size_m", box.labels[i].size_m);
     rules.color(label + ".rgb", box.labels[i].rgb);
   }
+  checkShape(box, key + ".shape", rules);
 }
 
 /// Whether two solids share more than touching faces.
 bool overlap(const SceneBox& a, const SceneBox& b) {
   const double low = std::max(a.base_z_m, b.base_z_m);
-  const double high = std::min(a.base_z_m + a.size_m.z(), b.base_z_m + b.size_m.z());
+  const auto topOf = [](const SceneBox& box) {
+    return box.base_z_m + box.size_m.z() + std::max(0.0, box.shape.bulge_m);
+  };
+  const double high = std::min(topOf(a), topOf(b));
   if (high - low <= kAllowedOverlap) return false;
   const auto shrunk = [](const SceneBox& box) {
     const Eigen::Vector2d size = (box.size_m.head<2>().array() - kAllowedOverlap).max(0.0);

@@ -1,5 +1,6 @@
 #include "sensor.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -9,6 +10,11 @@ namespace {
 
 /// Streams of the random numbers of a pixel.
 enum Stream : std::uint32_t { kDropout = 0, kFlying = 1, kFlyingPlace = 2, kDepth = 3 };
+
+/// Ink below this luma sends too little of the projector's light back.
+constexpr float kDarkLuma = 0.2f;
+
+constexpr double kLeastCosine = 0.05;
 
 }  // namespace
 
@@ -21,16 +27,23 @@ double Sensor::measuredDepth(const std::vector<Sample>& samples, int row, int co
       static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(col);
   const Sample& sample = samples[index];
   if (sample.object < 0 || !sample.is_lit) return kNoData;
-  if (noise_.no_data_on_black && sample.is_dark) return kNoData;
+  if (noise_.no_data_on_black && sample.luma < kDarkLuma) return kNoData;
   if (noise_.dropout_ratio > 0.0 && random_.uniform(index, kDropout) < noise_.dropout_ratio) return kNoData;
   double depth = sample.depth_m;
   if (noise_.flying_pixel_ratio > 0.0 && random_.uniform(index, kFlying) < noise_.flying_pixel_ratio) {
     depth = flyingDepth(samples, row, col);
   }
   if (noise_.depth_stddev_at_1m_m > 0.0) {
-    depth += noise_.depth_stddev_at_1m_m * depth * depth * random_.gaussian(index, kDepth);
+    depth += depthStddev(sample, depth) * random_.gaussian(index, kDepth);
   }
   return depth > 0.0 ? depth : kNoData;
+}
+
+double Sensor::depthStddev(const Sample& sample, double depth) const {
+  const double cosine = std::max(static_cast<double>(sample.cosine), kLeastCosine);
+  const double dark = 1.0 + noise_.dark_noise_gain * (1.0 - static_cast<double>(sample.luma));
+  const double grazing = 1.0 + noise_.grazing_noise_gain * (1.0 / cosine - 1.0);
+  return noise_.depth_stddev_at_1m_m * depth * depth * dark * grazing;
 }
 
 /// A depth between the pixel's own and the neighbour's that differs most; its own when there is no edge.

@@ -16,8 +16,9 @@ struct Sample {
   std::uint32_t rgb = 0;  ///< with the scene's light
   int object = -1;        ///< index of the object; -1: the ray met nothing
   std::uint8_t face = 0;  ///< of that object
-  bool is_dark = false;   ///< ink that gives no data
   bool is_lit = true;     ///< by the projector
+  float luma = 1.0f;      ///< of the paint, [0, 1]
+  float cosine = 1.0f;    ///< of the angle between the ray and the surface's normal, [0, 1]
 };
 
 class Sensor {
@@ -28,6 +29,7 @@ class Sensor {
   double measuredDepth(const std::vector<Sample>& samples, int row, int col) const;
 
  private:
+  double depthStddev(const Sample& sample, double depth) const;
   double flyingDepth(const std::vector<Sample>& samples, int row, int col) const;
 
   Noise noise_;

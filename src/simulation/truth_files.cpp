@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -38,6 +39,10 @@ json toJson(const SceneBox& box, std::size_t index, const Capture& capture) {
   out["top_center"] = toJson(Eigen::Vector3d(world_from_box * Eigen::Vector3d(0, 0, 0.5 * size.z())));
   out["yaw"] = geometry::foldHalfTurn(length_first ? box.yaw_rad : box.yaw_rad + 0.5 * kPi);
   out["size"] = toJson(size);
+  const TopOffsets offsets = topOffsets(box);
+  out["top_mean_height"] = box.base_z_m + box.size_m.z() + offsets.mean_m;
+  out["top_max_deviation"] = std::max(offsets.highest_m, -offsets.lowest_m);
+  out["shape_flags"] = shapeFlags(box.shape);
   out["visible_pixels"] = capture.visible_pixels.at(index);
   out["top_visibility"] = capture.top_visibility.at(index);
   return out;

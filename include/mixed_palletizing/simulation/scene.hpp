@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <mixed_palletizing/geometry/pose.hpp>
+#include <mixed_palletizing/simulation/scene_box.hpp>
 
 namespace mixed_palletizing::simulation {
 
@@ -29,29 +30,6 @@ struct Marker {
   bool inverted = true;
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< of the centre on the floor
   double yaw_rad = 0.0;                                  ///< direction from corner 0 to corner 1
-};
-
-/// A painted rectangle on a box's top, given in the box's own x and y; with `down_sides` it runs down every
-/// side of the box whose edge it reaches (a band of tape, a strip of dark print).
-struct BoxLabel {
-  Eigen::Vector2d center_m = Eigen::Vector2d::Zero();
-  Eigen::Vector2d size_m = Eigen::Vector2d(0.1, 0.05);
-  std::uint32_t rgb = 0x101010;
-  bool down_sides = false;
-};
-
-/// Faces of a box: the sides by the direction of their outward normal in the box's own axes.
-enum class BoxFace : std::uint8_t { kMinusX, kPlusX, kMinusY, kPlusY, kBottom, kTop };
-
-struct SceneBox {
-  std::string name;
-  Eigen::Vector3d size_m = Eigen::Vector3d(0.3, 0.2, 0.15);  ///< along its own x, y, z
-  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();      ///< of the centre in the floor plane
-  double base_z_m = 0.0;                                     ///< height of its underside
-  double yaw_rad = 0.0;
-  std::uint32_t rgb = 0xb08a5a;
-  std::array<std::optional<std::uint32_t>, 6> face_rgb;  ///< by BoxFace, instead of `rgb`
-  std::vector<BoxLabel> labels;                          ///< a later one covers an earlier one
 };
 
 /// Pinhole camera: optical frame x right, y down, z forward.
@@ -74,6 +52,10 @@ struct Noise {
   double flying_pixel_ratio =
       0.0;                     ///< share of the pixels beside a depth edge that lie between its two sides
   double depth_edge_m = 0.02;  ///< least difference of depth between neighbours that makes an edge
+  /// The depth's standard deviation is multiplied by 1 + dark_noise_gain * (1 - luma of the paint) and by
+  /// 1 + grazing_noise_gain * (1 / cosine - 1), cosine (at least 0.05) of the angle between ray and surface normal.
+  double dark_noise_gain = 0.0;
+  double grazing_noise_gain = 0.0;
 };
 
 struct Scene {
@@ -88,9 +70,6 @@ struct Scene {
 /// Pose of a camera at `eye` looking at `target`, image up as near to world z as it can be (to world y when
 /// the camera looks straight down). Throws std::invalid_argument when eye and target coincide.
 geometry::Pose lookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target);
-
-/// Frame at the centre of the box, along its own axes.
-geometry::Pose worldFromBox(const SceneBox& box);
 
 /// Frame at the marker's centre, z up, x from corner 0 to corner 1: the base frame that a detector should find.
 geometry::Pose worldFromMarker(const Marker& marker);

@@ -10,8 +10,10 @@
 namespace mixed_palletizing::simulation {
 
 /// JSON text: seed, world_from_camera (4x4, rows), base_from_camera (likewise, null without a marker) and boxes
-/// [{name, center, top_center, yaw, size [l, w, h], visible_pixels, top_visibility}] in metres and radians in
-/// the world; length >= width, yaw of the length in [-pi/2, pi/2).
+/// [{name, center, top_center, yaw, size [l, w, h], top_mean_height, top_max_deviation, shape_flags,
+/// visible_pixels, top_visibility}] in metres and radians in the world; length >= width, yaw of the length in
+/// [-pi/2, pi/2). Centres and size are nominal; the mean height of the real top is a z of the world, its largest
+/// deviation one from the nominal plane, both within the rounded edges; the flags are shapeFlags().
 std::string truthJson(const Scene& scene, const Capture& capture, std::uint64_t seed);
 
 /// Writes truthJson(). Throws std::runtime_error "PATH: reason".

@@ -85,7 +85,13 @@ boxes:
     labels:
       - {center_m: [0.01, 0.02], size_m: [0.03, 0.04], rgb: 0x000001, down_sides: true}
       - {}
-noise: {depth_stddev_at_1m_m: 0.001, no_data_on_black: true, dropout_ratio: 0.1, flying_pixel_ratio: 0.2, depth_edge_m: 0.03}
+    shape:
+      bulge_m: 0.004
+      rounding_m: 0.003
+      dents: [{center_m: [0.01, 0.02], radius_m: 0.03, depth_m: 0.005}]
+      flaps: [{side: minus_y, length_m: 0.05, angle_deg: 90}, {}]
+noise: {depth_stddev_at_1m_m: 0.001, no_data_on_black: true, dropout_ratio: 0.1, flying_pixel_ratio: 0.2, depth_edge_m: 0.03,
+        dark_noise_gain: 2, grazing_noise_gain: 3}
 )");
   EXPECT_EQ(scene.floor.size_y_m, 6.0);
   EXPECT_EQ(scene.floor.rgb, 0x010203u);
@@ -128,6 +134,20 @@ noise: {depth_stddev_at_1m_m: 0.001, no_data_on_black: true, dropout_ratio: 0.1,
   EXPECT_EQ(scene.noise.dropout_ratio, 0.1);
   EXPECT_EQ(scene.noise.flying_pixel_ratio, 0.2);
   EXPECT_EQ(scene.noise.depth_edge_m, 0.03);
+  EXPECT_EQ(scene.noise.dark_noise_gain, 2.0);
+  EXPECT_EQ(scene.noise.grazing_noise_gain, 3.0);
+  const BoxShape& shape = scene.boxes[1].shape;
+  EXPECT_EQ(shape.bulge_m, 0.004);
+  EXPECT_EQ(shape.rounding_m, 0.003);
+  ASSERT_EQ(shape.dents.size(), 1u);
+  EXPECT_EQ(shape.dents[0].center_m, Eigen::Vector2d(0.01, 0.02));
+  EXPECT_EQ(shape.dents[0].radius_m, 0.03);
+  EXPECT_EQ(shape.dents[0].depth_m, 0.005);
+  ASSERT_EQ(shape.flaps.size(), 2u);
+  EXPECT_EQ(shape.flaps[0].side, BoxFace::kMinusY);
+  EXPECT_EQ(shape.flaps[0].length_m, 0.05);
+  EXPECT_NEAR(shape.flaps[0].angle_rad, 90 * kRadPerDeg, 1e-12);
+  EXPECT_EQ(shape.flaps[1].side, BoxFace::kPlusX);
 }
 
 TEST_F(SceneFile, WithoutMarker) { EXPECT_FALSE(load("marker: none\n" + kCamera).has_marker); }
@@ -141,6 +161,8 @@ TEST_F(SceneFile, MistakesAreNamedWithFileLineAndKey) {
               "boxes[0].size_m: is no list of 3 finite numbers");
   expectError(kCamera + "boxes:\n  - yaw_deg: left\n", 3, "boxes[0].yaw_deg: is no finite number");
   expectError(kCamera + "boxes:\n  - yaw_deg: .inf\n", 3, "boxes[0].yaw_deg: is no finite number");
+  expectError(kCamera + "boxes:\n  - shape:\n      flaps:\n        - side: top\n", 5,
+              "boxes[0].shape.flaps[0].side: 'top' is none of");
   expectError(kCamera + "boxes: 3\n", 2, "boxes: is no list");
   expectError(kCamera + "boxes: [3]\n", 2, "boxes[0]: is no map");
   expectError(kCamera + "marker: nothing\n", 2, "marker: is no map");

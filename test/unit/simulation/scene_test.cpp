@@ -79,6 +79,8 @@ TEST(SceneProblems, OfTheCameraAndTheNoise) {
   expectProblem("noise.depth_stddev_at_1m_m", [](Scene& s) { s.noise.depth_stddev_at_1m_m = -0.1; });
   expectProblem("noise.dropout_ratio", [](Scene& s) { s.noise.dropout_ratio = 1.5; });
   expectProblem("noise.flying_pixel_ratio", [](Scene& s) { s.noise.flying_pixel_ratio = kNan; });
+  expectProblem("noise.dark_noise_gain", [](Scene& s) { s.noise.dark_noise_gain = -1.0; });
+  expectProblem("noise.grazing_noise_gain", [](Scene& s) { s.noise.grazing_noise_gain = kNan; });
   expectProblem("noise.depth_edge_m", [](Scene& s) { s.noise.depth_edge_m = 0.0; });
 }
 

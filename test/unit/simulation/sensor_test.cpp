@@ -69,6 +69,30 @@ TEST(Sensor, DepthNoiseGrowsWithTheSquareOfTheDepth) {
   }
 }
 
+TEST(Sensor, DepthNoiseGrowsOnDarkAndGrazingSurfacesByOption) {
+  constexpr double kStddev = 0.0005;
+  for (const double luma : {0.2, 0.6, 1.0}) {
+    for (const double tilt : {0.0, 0.8}) {
+      Scene scene = bareFloor(1.0);
+      scene.floor.rgb = static_cast<std::uint32_t>(std::lround(luma * 255.0)) * 0x010101u;
+      scene.camera.horizontal_fov_rad = 0.02;  // one angle for the whole image
+      scene.camera.world_from_camera = lookAt({std::sin(tilt), 0.0, std::cos(tilt)}, {0.0, 0.0, 0.0});
+      const Capture ideal = capture(scene, 7);
+      scene.noise.depth_stddev_at_1m_m = kStddev;
+      scene.noise.dark_noise_gain = 3.0;
+      scene.noise.grazing_noise_gain = 2.0;
+      const Capture noisy = capture(scene, 7);
+      std::vector<double> errors;
+      for (std::size_t i = 0; i < ideal.cloud.points.size(); ++i) {
+        errors.push_back(static_cast<double>(noisy.cloud.points[i].z - ideal.cloud.points[i].z));
+      }
+      const double expected =
+          kStddev * (1.0 + 3.0 * (1.0 - luma)) * (1.0 + 2.0 * (1.0 / std::cos(tilt) - 1.0));
+      EXPECT_NEAR(momentsOf(errors).stddev, expected, 0.03 * expected) << luma << " " << tilt;
+    }
+  }
+}
+
 TEST(Sensor, NoisyPointsStayOnTheirRay) {
   Scene scene = smallScene(3);
   scene.noise.depth_stddev_at_1m_m = 0.005;

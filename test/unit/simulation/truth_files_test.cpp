@@ -61,6 +61,22 @@ TEST_F(TruthFiles, SayWhatIsThere) {
   }
 }
 
+TEST_F(TruthFiles, TopsSayHowUnevenTheyAre) {
+  Scene scene = smallScene(1);
+  SceneBox& box = scene.boxes[0];
+  const double nominal = box.base_z_m + box.size_m.z();
+  json truth = json::parse(truthJson(scene, capture(scene, 1), 1)).at("boxes").at(0);
+  EXPECT_EQ(truth.at("top_mean_height"), nominal);
+  EXPECT_EQ(truth.at("top_max_deviation"), 0.0);
+  EXPECT_TRUE(truth.at("shape_flags").empty());
+  box.shape.bulge_m = -0.006;
+  truth = json::parse(truthJson(scene, capture(scene, 1), 1)).at("boxes").at(0);
+  EXPECT_NEAR(truth.at("top_mean_height"), nominal - 0.006 * 4.0 / 9.0, 1e-6);
+  EXPECT_NEAR(truth.at("top_max_deviation"), 0.006, 1e-9);
+  EXPECT_EQ(truth.at("shape_flags"), json::array({"SAGGED"}));
+  EXPECT_EQ(toVector(truth.at("size")).z(), box.size_m.z());
+}
+
 TEST_F(TruthFiles, BaseFrameIsTheMarkers) {
   Scene scene = smallScene(1);
   scene.marker.position_m = {0.01, 0.02};
