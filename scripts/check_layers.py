@@ -17,6 +17,8 @@ CORE_ROOMS = {
     'planning': (('packing', 'geometry'), ('sqlite3.h', 'nlohmann/')),
     'instances': (('packing', 'geometry'), ('nlohmann/',)),
     'simulation': (('geometry',), ('Eigen/', 'embree3/', 'assimp/', 'opencv2/', 'yaml-cpp/', 'nlohmann/')),
+    'experiments': (('geometry', 'detection', 'packing', 'planning', 'instances', 'simulation'),
+                    ('Eigen/', 'opencv2/', 'nlohmann/')),
 }
 JOINING_ROOMS = ('adapters', 'nodes')
 
