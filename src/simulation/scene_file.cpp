@@ -8,6 +8,7 @@
 
 #include <mixed_palletizing/simulation/scene_file.hpp>
 
+#include "scene_setting.hpp"
 #include "yaml_section.hpp"
 
 namespace mixed_palletizing::simulation {
@@ -54,11 +55,11 @@ void readCameraPose(YamlSection& section, geometry::Pose& world_from_camera) {
   }
 }
 
-void readCamera(YamlSection section, Camera& camera) {
+void readCamera(YamlSection section, bool with_pose, Camera& camera) {
   section.read("width_px", camera.width_px);
   section.read("height_px", camera.height_px);
   section.readAngle("horizontal_fov", camera.horizontal_fov_rad);
-  readCameraPose(section, camera.world_from_camera);
+  if (with_pose) readCameraPose(section, camera.world_from_camera);
   if (section.has("projector_m")) camera.projector_m = Eigen::Vector3d::Zero();
   if (camera.projector_m) section.read("projector_m", *camera.projector_m);
   section.finish();
@@ -148,18 +149,24 @@ void readNoise(YamlSection section, Noise& noise) {
 
 Scene readScene(YamlSection file) {
   Scene scene;
-  readFloor(file.section("floor"), scene.floor);
-  const YAML::Node marker = file.take("marker");
-  scene.has_marker = !(marker.IsDefined() && marker.IsScalar() && marker.Scalar() == "none");
-  if (scene.has_marker) readMarker(file.section("marker"), scene.marker);
-  readCamera(file.section("camera"), scene.camera);
+  readSetting(file, true, scene);
   for (YamlSection& box : file.list("boxes")) readBox(box, scene.boxes.emplace_back());
-  readNoise(file.section("noise"), scene.noise);
   file.finish();
   return scene;
 }
 
-YAML::Node parse(const std::string& path) {
+}  // namespace
+
+void readSetting(YamlSection& file, bool with_camera_pose, Scene& scene) {
+  readFloor(file.section("floor"), scene.floor);
+  const YAML::Node marker = file.take("marker");
+  scene.has_marker = !(marker.IsDefined() && marker.IsScalar() && marker.Scalar() == "none");
+  if (scene.has_marker) readMarker(file.section("marker"), scene.marker);
+  readCamera(file.section("camera"), with_camera_pose, scene.camera);
+  readNoise(file.section("noise"), scene.noise);
+}
+
+YAML::Node parseYaml(const std::string& path) {
   std::ifstream file(path);
   std::ostringstream text;
   if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();  // an empty file is a sound one
@@ -172,11 +179,9 @@ YAML::Node parse(const std::string& path) {
   }
 }
 
-}  // namespace
-
 Scene loadScene(const std::string& path) {
   YamlReport report(path);
-  Scene scene = readScene(YamlSection(parse(path), "", report));
+  Scene scene = readScene(YamlSection(parseYaml(path), "", report));
   report.throwIfAny();
   for (const std::string& problem : problems(scene)) {
     const std::size_t colon = problem.find(": ");

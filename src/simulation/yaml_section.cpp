@@ -47,15 +47,16 @@ YamlSection::YamlSection(const YAML::Node& node, const std::string& key, YamlRep
   }
 }
 
-bool YamlSection::has(const std::string& name) const {
+YAML::Node YamlSection::peek(const std::string& name) const {
   const YAML::Node& node = node_;  // the const operator[] adds nothing
-  return node[name].IsDefined();
+  return node[name];
 }
+
+bool YamlSection::has(const std::string& name) const { return peek(name).IsDefined(); }
 
 YAML::Node YamlSection::take(const std::string& name) {
   read_.insert(name);
-  const YAML::Node& node = node_;
-  return node[name];
+  return peek(name);
 }
 
 template <typename T>
@@ -70,6 +71,23 @@ void YamlSection::readScalar(const std::string& name, T& value, const char* type
   }
 }
 
+template <typename T>
+void YamlSection::readList(const std::string& name, std::vector<T>& values, const char* type) {
+  const YAML::Node node = take(name);
+  if (!node.IsDefined()) return;
+  try {
+    values = node.IsSequence() ? node.as<std::vector<T>>() : std::vector<T>{node.as<T>()};
+  } catch (const YAML::Exception&) {
+    add(name, std::string("is no list of ") + type);
+  }
+}
+
+void YamlSection::read(const std::string& name, std::vector<int>& values) {
+  readList(name, values, "integers");
+}
+void YamlSection::read(const std::string& name, std::vector<std::uint32_t>& values) {
+  readList(name, values, "colours 0xRRGGBB");
+}
 void YamlSection::read(const std::string& name, bool& value) { readScalar(name, value, "true or false"); }
 void YamlSection::read(const std::string& name, int& value) { readScalar(name, value, "integer"); }
 void YamlSection::read(const std::string& name, std::uint32_t& value) {
@@ -153,7 +171,7 @@ std::vector<YamlSection> YamlSection::list(const std::string& name) {
 void YamlSection::finish() const {
   for (const auto& entry : node_) {
     const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : std::string("(a list or map)");
-    if (read_.count(name) == 0) report_->add(keyOf(name), "is no key of a scene");
+    if (read_.count(name) == 0) report_->add(keyOf(name), "is no known key");
   }
 }
 

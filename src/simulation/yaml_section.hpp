@@ -44,7 +44,9 @@ class YamlSection {
   void read(const std::string& name, std::string& value);
   void read(const std::string& name, Eigen::Vector2d& value);
   void read(const std::string& name, Eigen::Vector3d& value);
-  void read(const std::string& name, Eigen::Matrix4d& value);  // rows
+  void read(const std::string& name, Eigen::Matrix4d& value);              // rows
+  void read(const std::string& name, std::vector<int>& values);            // a list, or one
+  void read(const std::string& name, std::vector<std::uint32_t>& values);  // likewise
 
   /// An angle [rad] from the key `name`_deg.
   void readAngle(const std::string& name, double& value_rad);
@@ -54,6 +56,9 @@ class YamlSection {
 
   /// The maps of a list.
   std::vector<YamlSection> list(const std::string& name);
+
+  /// The node of a key, without marking it as read.
+  YAML::Node peek(const std::string& name) const;
 
   /// Marks a key as read and returns its node.
   YAML::Node take(const std::string& name);
@@ -68,6 +73,8 @@ class YamlSection {
   bool readNumbers(const std::string& name, const YAML::Node& node, std::size_t count, double* values);
   template <typename T>
   void readScalar(const std::string& name, T& value, const char* type);
+  template <typename T>
+  void readList(const std::string& name, std::vector<T>& values, const char* type);
 
   YAML::Node node_;
   std::string key_;

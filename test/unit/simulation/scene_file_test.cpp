@@ -153,8 +153,8 @@ noise: {depth_stddev_at_1m_m: 0.001, no_data_on_black: true, dropout_ratio: 0.1,
 TEST_F(SceneFile, WithoutMarker) { EXPECT_FALSE(load("marker: none\n" + kCamera).has_marker); }
 
 TEST_F(SceneFile, MistakesAreNamedWithFileLineAndKey) {
-  expectError(kCamera + "boxs: []\n", 2, "boxs: is no key of a scene");
-  expectError(kCamera + "noise:\n  dropout: 0.1\n", 3, "noise.dropout: is no key of a scene");
+  expectError(kCamera + "boxs: []\n", 2, "boxs: is no known key");
+  expectError(kCamera + "noise:\n  dropout: 0.1\n", 3, "noise.dropout: is no known key");
   expectError(kCamera + "boxes:\n  - {}\n  - size_m: [1, 2]\n", 4,
               "boxes[1].size_m: is no list of 3 finite numbers");
   expectError(kCamera + "boxes:\n  - size_m: [1, 2, .nan]\n", 3,
