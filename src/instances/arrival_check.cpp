@@ -1,6 +1,7 @@
 #include "arrival_check.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "placement_check.hpp"
 
@@ -41,6 +42,7 @@ class Play {
     if (instance_.order.rules.min_support_ratio >= 1.0) {
       for (const int item : visible_) {
         const int type = types_[static_cast<std::size_t>(item)];
+        if (!refused_.insert(type).second) continue;  // did not fit since the last placement
         for (const packing::Vec3& size :
              allowedSizes(instance_.order.types[static_cast<std::size_t>(type)])) {
           if (fitsSomewhere(instance_.order.rules, placed_, size)) {
@@ -58,6 +60,7 @@ class Play {
 
   void place(const ResultPlacement& placement) {
     placed_.push_back(placement.placement);
+    refused_.clear();
     visible_.erase(std::remove(visible_.begin(), visible_.end(), placement.item), visible_.end());
     if (next_ < arrival_.size()) join();
   }
@@ -71,6 +74,7 @@ class Play {
   std::size_t next_ = 0;
   std::vector<int> visible_;
   std::vector<packing::Placement> placed_;
+  std::set<int> refused_;  ///< types that fit nowhere on `placed_`
 };
 
 }  // namespace

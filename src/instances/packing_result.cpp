@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <mixed_palletizing/instances/packing_result.hpp>
 
@@ -45,7 +47,8 @@ std::vector<std::string> numberFaults(const Instance& instance, const PackingRes
   for (const ResultPlacement& placement : result.placements) {
     packed += static_cast<double>(packing::volume(placement.placement.size));
   }
-  const double utilization = packed / static_cast<double>(packing::volume(instance.order.rules.size));
+  const double room = static_cast<double>(packing::volume(instance.order.rules.size)) * result.pallets;
+  const double utilization = packed / room;
   if (!(std::abs(result.utilization - utilization) <= kUtilizationTolerance)) {
     found.push_back("utilization " + std::to_string(result.utilization) + " is stated, " +
                     std::to_string(utilization) + " is packed");
@@ -54,6 +57,28 @@ std::vector<std::string> numberFaults(const Instance& instance, const PackingRes
   if (!(times.median_ms >= 0.0 && times.median_ms <= times.p99_ms && times.p99_ms <= times.max_ms &&
         std::isfinite(times.max_ms))) {
     found.emplace_back("decision_ms: 0 <= median <= p99 <= max must hold");
+  }
+  return found;
+}
+
+/// The placements, pallet by pallet.
+std::vector<std::string> palletFaults(const Instance& instance, const PackingResult& result) {
+  if (result.pallets < 1) return {"pallets: " + std::to_string(result.pallets) + ": must be at least 1"};
+  std::vector<std::string> found;
+  std::map<int, std::vector<packing::Placement>> pallets;
+  for (std::size_t i = 0; i < result.placements.size(); ++i) {
+    const int pallet = result.placements[i].pallet;
+    if (pallet < 0 || pallet >= result.pallets) {
+      found.push_back("placement " + std::to_string(i) + ": pallet " + std::to_string(pallet) + " of " +
+                      std::to_string(result.pallets));
+    }
+    pallets[pallet].push_back(result.placements[i].placement);
+  }
+  for (const auto& [pallet, placements] : pallets) {
+    const std::string name = result.pallets > 1 ? "pallet " + std::to_string(pallet) + ": " : std::string();
+    for (const std::string& fault : placementFaults(instance.order, placements)) {
+      found.push_back(name + fault);
+    }
   }
   return found;
 }
@@ -69,16 +94,15 @@ std::vector<std::string> checkResult(const Instance& instance, const PackingResu
     found.insert(found.end(), more.begin(), more.end());
   };
   append(itemFaults(instance, result));
-  std::vector<packing::Placement> placements;
-  std::size_t with_available = 0;
-  for (const ResultPlacement& placement : result.placements) {
-    placements.push_back(placement.placement);
-    if (!placement.available.empty()) ++with_available;
-  }
-  append(placementFaults(instance.order, placements));
+  append(palletFaults(instance, result));
   append(numberFaults(instance, result));
+  const auto with_available =
+      std::count_if(result.placements.begin(), result.placements.end(),
+                    [](const ResultPlacement& placement) { return !placement.available.empty(); });
   if (with_available == 0) return found;
-  if (with_available < result.placements.size()) {
+  if (result.pallets > 1) {
+    found.emplace_back("available: an arrival is played on one pallet only");
+  } else if (static_cast<std::size_t>(with_available) < result.placements.size()) {
     found.emplace_back("available: is stated for some placements only");
   } else if (found.empty()) {
     append(arrivalFaults(instance, result));

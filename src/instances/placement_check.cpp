@@ -197,21 +197,25 @@ bool fitsSomewhere(const packing::PalletRules& rules, const std::vector<Placemen
   for (const int z : levels) {
     if (z > rules.size.z - size.z) break;
     // A box that fits can be pushed towards the origin until a wall, a box it is lowered past, or the edge of
-    // its support stops it.
+    // its support stops it. Boxes whose tops are below z matter to nothing here.
     std::set<int> xs{0};
     std::set<int> ys{0};
+    std::vector<Placement> near;
     for (const Placement& p : placed) {
-      if (top(p) > z) {
-        xs.insert(p.origin.x + p.size.x + rules.gap);
-        ys.insert(p.origin.y + p.size.y + rules.gap);
-      } else if (top(p) == z) {
-        xs.insert(p.origin.x);
-        ys.insert(p.origin.y);
-      }
+      if (top(p) < z) continue;
+      const int gap = top(p) > z ? rules.gap : 0;
+      xs.insert(top(p) > z ? p.origin.x + p.size.x + gap : p.origin.x);
+      ys.insert(top(p) > z ? p.origin.y + p.size.y + gap : p.origin.y);
+      near.push_back(p);
     }
     for (const int x : xs) {
       for (const int y : ys) {
-        if (placementFaults(rules, placed, {0, {x, y, z}, size}).empty()) return true;
+        const Placement tried{0, {x, y, z}, size};
+        const bool clear =
+            insidePallet(rules, tried) && std::none_of(near.begin(), near.end(), [&](const Placement& p) {
+              return top(p) > z && footprintsMeet(tried, p, rules.gap);
+            });
+        if (clear && placementFaults(rules, near, tried).empty()) return true;
       }
     }
   }

@@ -36,10 +36,12 @@ PackingResult resultFromJson(const Json& line, const Instance& instance, std::ve
     placement.placement.origin = entry.lengths("origin_mm", INT32_MIN);
     placement.placement.size = entry.lengths("size_mm", INT32_MIN);
     if (entry.has("available")) placement.available = entry.integers("available", 0, INT32_MAX);
+    if (entry.has("pallet")) placement.pallet = entry.integer("pallet", 0, packing::kMaxItems);
     entry.finish();
     result.placements.push_back(std::move(placement));
   }
   result.unpacked = reader.integers("unpacked", 0, INT32_MAX);
+  if (reader.has("pallets")) result.pallets = reader.integer("pallets", 1, packing::kMaxItems);
   result.utilization = reader.number("utilization", 0.0, 1.0 + kUtilizationTolerance);
   if (const Json* times = reader.has("decision_ms") ? reader.value("decision_ms") : nullptr) {
     result.decision_ms = timesFromJson(*times, faults);
@@ -74,9 +76,11 @@ std::string formatResult(const PackingResult& result, const Instance& instance) 
                {"origin_mm", toJson(placement.placement.origin)},
                {"size_mm", toJson(placement.placement.size)}};
     if (!placement.available.empty()) entry["available"] = placement.available;
+    if (result.pallets > 1) entry["pallet"] = placement.pallet;
     line["placements"].push_back(std::move(entry));
   }
   line["unpacked"] = result.unpacked;
+  if (result.pallets > 1) line["pallets"] = result.pallets;
   line["utilization"] = result.utilization;
   line["decision_ms"] = {{"median", times.median_ms}, {"p99", times.p99_ms}, {"max", times.max_ms}};
   line["method"] = result.method;

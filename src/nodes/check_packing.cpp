@@ -1,23 +1,19 @@
 // Checks every placement of a result file against its instances, apart from the code that made them.
 #include <iostream>
 
-#include <mixed_palletizing/adapters/command_line.hpp>
-#include <mixed_palletizing/instances/files.hpp>
+#include <mixed_palletizing/adapters/order_files.hpp>
 
 namespace instances = mixed_palletizing::instances;
 
 int main(int argc, char** argv) {
-  std::string instance_path;
+  mixed_palletizing::adapters::OrderFileOptions orders_options;
   std::string result_path;
-  std::string format = "json";
   mixed_palletizing::adapters::CommandLine line(
       "check_packing", "Checks results independently; one line a fault, exit code 1 when there is any.");
-  line.required("instances", &instance_path, "orders");
+  orders_options.declare(line);
   line.required("results", &result_path, "results of them, one JSON object a line");
-  line.choice("format", &format, {"json", "br"}, "of the orders");
   return line.run(argc, argv, [&] {
-    const instances::InstanceFile orders =
-        format == "br" ? instances::readBrFile(instance_path) : instances::readInstanceFile(instance_path);
+    const instances::InstanceFile orders = orders_options.read();
     const instances::ResultFile results = instances::readResultFile(result_path, orders.instances);
     std::vector<std::string> faults = orders.faults;
     faults.insert(faults.end(), results.faults.begin(), results.faults.end());

@@ -5,8 +5,7 @@
 
 #include <unistd.h>
 
-#include <mixed_palletizing/adapters/command_line.hpp>
-#include <mixed_palletizing/instances/files.hpp>
+#include <mixed_palletizing/adapters/order_files.hpp>
 #include <mixed_palletizing/instances/result_summary.hpp>
 #include <mixed_palletizing/planning/play_arrivals.hpp>
 
@@ -39,11 +38,12 @@ instances::PackingResult toResult(const instances::Instance& instance, const pla
 
 int main(int argc, char** argv) {
   planning::PlayOptions options;
-  std::string path, out, method = "ga";
+  mixed_palletizing::adapters::OrderFileOptions orders;
+  std::string out, method = "ga";
   bool keep_going = false, progress = false;
   mixed_palletizing::adapters::CommandLine line("plan_picks",
                                                 "Plays arrivals: n_pick boxes visible at a time.");
-  line.required("instances", &path, "orders, one JSON object a line");
+  orders.declare(line);
   line.required("out", &out, "results, one JSON object a line");
   line.choice("method", &method, {"dblf", "ga"}, "of planning");
   line.option("budget_ms", &options.budget_ms,
@@ -54,9 +54,7 @@ int main(int argc, char** argv) {
   return line.run(argc, argv, [&] {
     options.planner.method = *planning::planMethodFromString(method);
     progress = progress || isatty(STDERR_FILENO) != 0;
-    const instances::InstanceFile file = instances::readInstanceFile(path);
-    if (!keep_going && !file.faults.empty()) throw std::invalid_argument(instances::joinFaults(file.faults));
-    for (const std::string& fault : file.faults) std::cerr << "plan_picks: " << fault << '\n';
+    const instances::InstanceFile file = orders.readSound("plan_picks", keep_going);
     std::ofstream results(out);
     instances::ResultSummary summary;
     for (const instances::Instance& instance : file.instances) {

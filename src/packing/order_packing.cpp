@@ -39,13 +39,19 @@ void checkItems(const Order& order, const std::vector<int>& items) {
 
 }  // namespace
 
-std::optional<PackMethod> packMethodFromString(const std::string& word) {
-  if (word == "dblf") return PackMethod::kDblf;
-  if (word == "distance") return PackMethod::kDistance;
-  if (word == "ga") return PackMethod::kGa;
-  if (word == "best") return PackMethod::kBest;
-  return std::nullopt;
+const std::vector<std::string>& packMethodWords() {
+  static const std::vector<std::string> words{"dblf", "distance", "ga", "best"};
+  return words;
 }
+
+std::optional<PackMethod> packMethodFromString(const std::string& word) {
+  const std::vector<std::string>& words = packMethodWords();
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found == words.end()) return std::nullopt;
+  return static_cast<PackMethod>(found - words.begin());
+}
+
+bool needsBudget(PackMethod method) { return method == PackMethod::kBest; }
 
 std::vector<std::string> problems(const PackOptions& options) {
   std::vector<std::string> lines;
@@ -83,7 +89,7 @@ OrderPacking assignItems(const std::vector<Placement>& placements, const std::ve
 OrderPacking packOrder(const Order& order, const std::vector<int>& items, const PackOptions& options,
                        const StopCallback& stop, const PackReport& report) {
   throwProblems("packOrder: options", problems(options));
-  if (options.method == PackMethod::kBest && !stop) {
+  if (needsBudget(options.method) && !stop) {
     throw std::invalid_argument("packOrder: stop: the method best needs a callback that ends it");
   }
   checkItems(order, items);

@@ -1,4 +1,4 @@
-// The tools generate_instances, plan_picks and check_packing, run as a user runs them.
+// The tools generate_instances, pack, plan_picks and check_packing, run as a user runs them.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -110,6 +110,31 @@ TEST_F(OrderTools, BadLinesAreNamedAndTheOthersKept) {
   EXPECT_EQ(check("i.jsonl", "r.jsonl"), 0) << read("out.txt");
 }
 
+TEST_F(OrderTools, AnOrderTableIsPackedOnSeveralPallets) {
+  write("o.csv",
+        "Order,Product,Quantity,Length,Width,Height,Weight\n7,a,40,400,300,250,5\n8,b,2,300,200,100,1\n"
+        "7,c,9,600,400,300,9\n");
+  const std::string csv = "--instances " + path("o.csv") + " --format csv --pallet_mm 1200 800 600";
+  for (const std::string method : {"dblf", "distance", "ga", "best"}) {
+    ASSERT_EQ(run(PACK_TOOL, csv + " --time_limit_s 0.4 --method " + method + " --out " + path("r.jsonl")), 0)
+        << read("err.txt");
+    EXPECT_EQ(read("out.txt").find("orders 2  packed completely 2  pallets "), 0U) << read("out.txt");
+    EXPECT_EQ(run(CHECK_PACKING_TOOL, csv + " --results " + path("r.jsonl")), 0) << read("out.txt");
+  }
+  EXPECT_EQ(run(PLAN_PICKS_TOOL, csv + " --method dblf --out " + path("p.jsonl")), 0) << read("err.txt");
+  EXPECT_EQ(run(CHECK_PACKING_TOOL, csv + " --results " + path("p.jsonl")), 0) << read("out.txt");
+  expectOneClearLine(PACK_TOOL, csv + " --time_limit_s 0 --out " + path("r.jsonl"), "max_evaluations");
+  expectOneClearLine(PACK_TOOL, csv + " --max_pallets -1 --out " + path("r.jsonl"), "max_pallets");
+  expectOneClearLine(PACK_TOOL, "--instances " + path("o.csv") + " --rotations any --out " + path("r.jsonl"),
+                     "--rotations: goes with --format csv only");
+  write("bad.csv", read("o.csv") + "9,d,1,nan,1,1,1\n");
+  const std::string bad =
+      "--instances " + path("bad.csv") + " --format csv --method dblf --out " + path("r.jsonl");
+  expectOneClearLine(PACK_TOOL, bad, "bad.csv:5: Length");
+  expectOneClearLine(PACK_TOOL, bad + " --keep-going", "bad.csv:5: Length");
+  EXPECT_EQ(lines(read("r.jsonl")).size(), 2U);
+}
+
 TEST_F(OrderTools, CheckPackingFindsWhatIsWrong) {
   ASSERT_EQ(generate("--height_mm 600 --count 2 --seed 5 --out " + path("i.jsonl")), 0);
   ASSERT_EQ(plan("--instances " + path("i.jsonl") + " --method dblf --out " + path("r.jsonl")), 0);
@@ -141,7 +166,7 @@ TEST_F(OrderTools, BadInputIsOneClearLine) {
 }
 
 TEST_F(OrderTools, Help) {
-  for (const std::string tool : {GENERATE_INSTANCES_TOOL, PLAN_PICKS_TOOL, CHECK_PACKING_TOOL}) {
+  for (const std::string tool : {GENERATE_INSTANCES_TOOL, PACK_TOOL, PLAN_PICKS_TOOL, CHECK_PACKING_TOOL}) {
     EXPECT_EQ(run(tool, "--help"), 0);
     EXPECT_NE(read("out.txt").find("--"), std::string::npos);
   }

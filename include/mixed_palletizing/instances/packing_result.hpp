@@ -14,6 +14,7 @@ struct ResultPlacement {
   int item = 0;  ///< index in the arrival (or in the expanded item list when the instance has none)
   packing::Placement placement;
   std::vector<int> available;  ///< indices visible at that moment; empty for order-free packings
+  int pallet = 0;              ///< which of the pallets, from 0
 };
 
 struct DecisionTimes {
@@ -24,19 +25,20 @@ struct DecisionTimes {
 
 struct PackingResult {
   std::string name;
-  std::vector<ResultPlacement> placements;  ///< in loading order
+  std::vector<ResultPlacement> placements;  ///< in loading order, pallet by pallet
   std::vector<int> unpacked;                ///< item indices
-  double utilization = 0.0;
+  double utilization = 0.0;  ///< packed volume over that of all pallets
   DecisionTimes decision_ms;
   std::string method;
   std::uint64_t seed = 0;
+  int pallets = 1;  ///< used
 };
 
 constexpr double kUtilizationTolerance = 1e-6;  ///< between the stated and the packed utilization
 
 /// Independent check of every placement, written without the packing core's spaces: inside, no overlap,
-/// support, loadable from above, gap, every item once, the stated utilization, and (when `available` is
-/// given) the rules of arrival with n_pick visible, as far as everything else is sound. Every fault as one
+/// support, loadable from above, gap, every item once, the stated number of pallets and utilization, and
+/// (when `available` is given, on one pallet) the rules of arrival with n_pick visible, as far as everything else is sound. Every fault as one
 /// line; empty when the result is valid. The instance must be sound (problems()).
 std::vector<std::string> checkResult(const Instance& instance, const PackingResult& result);
 

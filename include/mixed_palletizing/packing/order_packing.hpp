@@ -19,8 +19,14 @@ enum class PackMethod {
   kBest,      ///< the strongest search there is
 };
 
-/// Parses "dblf", "distance", "ga" or "best"; std::nullopt for another word.
+/// The words of the methods: "dblf", "distance", "ga", "best".
+const std::vector<std::string>& packMethodWords();
+
+/// Parses one of packMethodWords(); std::nullopt for another word.
 std::optional<PackMethod> packMethodFromString(const std::string& word);
+
+/// True when the method goes on until everything is packed or it is told to stop.
+bool needsBudget(PackMethod method);
 
 struct PackOptions {
   PackMethod method = PackMethod::kBest;
