@@ -148,4 +148,27 @@ OfflineDetection detectOffline(const OfflineDetectionRequest& request) {
   return result;
 }
 
+void replayOffline(const OfflineDetectionRequest& request,
+                   const std::function<void(const ReplayedCloud&)>& use) {
+  if (request.bag.empty()) throw std::invalid_argument("a bag is needed");
+  const detection::DetectionOptions options = optionsFrom(request.params);
+  detection::BoxDetector detector(options);
+  ReplayedCloud cloud;
+  bool has_base = false;
+  readCloudBag(request.bag, request.topic, [&](const sensor_msgs::PointCloud2ConstPtr& message) {
+    cloud.message = message;
+    const CheckedCloud content = checkCloud(*message);
+    cloud.fault = content.view ? "" : toString(content.fault);
+    cloud.result.detections = detection::Detections();
+    if (content.view) {
+      if (!has_base) findBase(request, *content.view, request.bag, options, cloud.result);
+      has_base = true;
+      cloud.result.detections = detector.detect(*content.view, cloud.result.base_from_camera);
+    }
+    use(cloud);
+    return true;
+  });
+  if (!has_base) throw std::runtime_error(request.bag + ": holds no usable cloud");
+}
+
 }  // namespace mixed_palletizing::adapters

@@ -1,15 +1,10 @@
 // The tool detect_boxes, run as a user runs it, on a simulated cloud from a file and from a bag.
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <mixed_palletizing/adapters/calibration_file.hpp>
 #include <mixed_palletizing/adapters/cloud_bag.hpp>
@@ -18,16 +13,15 @@
 #include <mixed_palletizing/simulation/random_scene.hpp>
 
 #include "recorded_data.hpp"
+#include "tool_fixture.hpp"
 
 namespace mixed_palletizing {
 namespace {
 
-class DetectBoxes : public ::testing::Test {
+class DetectBoxes : public test::ToolFixture {
  protected:
+  DetectBoxes() : ToolFixture(DETECT_BOXES_TOOL) {}
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("mixed_palletizing_detect_boxes_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
     simulation::RandomSceneOptions options;
     options.boxes_min = options.boxes_max = 2;
     options.scene.camera.width_px = 640;
@@ -37,35 +31,10 @@ class DetectBoxes : public ::testing::Test {
     scene_ = simulation::randomScene(options, 77);
     adapters::writeCloud(path("c.pcd"), simulation::capture(scene_, 77).cloud);
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  std::string read(const std::string& name) const {
-    std::ifstream file(path(name));
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
-
-  int run(const std::string& arguments) const {
-    const std::string command =
-        std::string(DETECT_BOXES_TOOL) + " " + arguments + " > " + path("out.txt") + " 2> " + path("err.txt");
-    const int status = std::system(command.c_str());
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
 
   nlohmann::json detect(const std::string& arguments) const {
     EXPECT_EQ(run(arguments + " --json " + path("d.json")), 0) << read("err.txt");
     return nlohmann::json::parse(read("d.json"), nullptr, false);
-  }
-
-  void expectOneClearLine(const std::string& arguments, const std::string& words) const {
-    SCOPED_TRACE(arguments);
-    EXPECT_GT(run(arguments), 0);
-    const std::string error = read("err.txt");
-    EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
-    EXPECT_NE(error.find(words), std::string::npos) << error;
   }
 
   /// Both boxes of the scene are among those of the file, to a millimetre.
@@ -85,9 +54,6 @@ class DetectBoxes : public ::testing::Test {
   }
 
   simulation::Scene scene_;
-
- private:
-  std::filesystem::path folder_;
 };
 
 TEST_F(DetectBoxes, findsTheSceneWithEverySourceOfCloudAndBaseFrame) {

@@ -1,7 +1,10 @@
 // Detection in one cloud from a file or a bag, as the nodelet does it with a message.
 #pragma once
 
+#include <functional>
 #include <string>
+
+#include <sensor_msgs/PointCloud2.h>
 
 #include <mixed_palletizing/detection/base_frame.hpp>
 #include <mixed_palletizing/detection/detections.hpp>
@@ -30,5 +33,18 @@ struct OfflineDetection {
 /// Every cloud passes through a message and its checks, as in the node. Throws std::runtime_error or
 /// std::invalid_argument with one clear message for anything that is wrong.
 OfflineDetection detectOffline(const OfflineDetectionRequest& request);
+
+/// One cloud of a bag: what was found in it, or why it is no usable cloud.
+struct ReplayedCloud {
+  sensor_msgs::PointCloud2ConstPtr message;
+  std::string fault;  ///< name of the CloudFault; empty when the cloud was searched
+  OfflineDetection result;
+};
+
+/// Detects in every cloud of request.bag in recorded order, without clocks, as one running detector. The base
+/// frame is looked for in the calibration cloud, else in the first usable cloud of the bag. Throws as
+/// detectOffline(), and std::runtime_error when the bag holds no usable cloud.
+void replayOffline(const OfflineDetectionRequest& request,
+                   const std::function<void(const ReplayedCloud&)>& use);
 
 }  // namespace mixed_palletizing::adapters
