@@ -91,6 +91,11 @@ SceneRecord measure(const SceneSource& source, std::uint64_t index, const Measur
 
 }  // namespace
 
+SceneSource recipeSource(const simulation::Recipe& recipe, std::uint64_t seed) {
+  return {[recipe, seed](std::uint64_t index) { return simulation::recipeScene(recipe, seed, index); },
+          [seed](std::uint64_t index) { return simulation::recipeNoiseSeed(seed, index); }};
+}
+
 SceneRecord measureScene(const SceneSource& source, std::uint64_t index, const MeasurementOptions& options,
                          const std::function<void(const simulation::Capture&)>& look) {
   detection::BoxDetector detector(options.detection);

@@ -9,7 +9,7 @@ namespace mixed_palletizing::experiments {
 namespace {
 
 /// A point this near to the height of the top belongs to it and not to a side face [m].
-constexpr double kTopBand = 0.015;
+constexpr double kTopBand = 0.02;
 
 bool isInside(const Eigen::Vector2d& pixel, const simulation::Camera& camera) {
   return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= camera.width_px - 1.0 &&
@@ -19,8 +19,9 @@ bool isInside(const Eigen::Vector2d& pixel, const simulation::Camera& camera) {
 TrueBox nominal(const simulation::SceneBox& box, const geometry::Pose& base_from_world) {
   TrueBox truth;
   truth.size = box.size_m;
-  truth.top_center = base_from_world *
-                     Eigen::Vector3d(box.position_m.x(), box.position_m.y(), box.base_z_m + box.size_m.z());
+  truth.size.z() += simulation::topOffsets(box).mean_m;
+  const Eigen::Vector3d top(box.position_m.x(), box.position_m.y(), box.base_z_m + truth.size.z());
+  truth.top_center = base_from_world * top;
   truth.yaw_rad = box.yaw_rad + geometry::yawOf(base_from_world);
   if (truth.size.x() < truth.size.y()) {
     std::swap(truth.size.x(), truth.size.y());

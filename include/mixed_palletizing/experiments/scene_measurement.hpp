@@ -9,6 +9,7 @@
 
 #include <mixed_palletizing/detection/options.hpp>
 #include <mixed_palletizing/experiments/box_errors.hpp>
+#include <mixed_palletizing/simulation/recipe.hpp>
 
 namespace mixed_palletizing::experiments {
 
@@ -48,6 +49,9 @@ struct SceneSource {
   std::function<simulation::Scene(std::uint64_t index)> scene;
   std::function<std::uint64_t(std::uint64_t index)> noise_seed;
 };
+
+/// Scenes of a recipe by one seed.
+SceneSource recipeSource(const simulation::Recipe& recipe, std::uint64_t seed);
 
 /// One scene. `look` is called with the capture before it is thrown away, may be empty.
 SceneRecord measureScene(const SceneSource& source, std::uint64_t index, const MeasurementOptions& options,
