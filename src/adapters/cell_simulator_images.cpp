@@ -62,9 +62,9 @@ sensor_msgs::CameraInfoPtr cameraInfo(const simulation::Camera& camera, const st
   info->height = static_cast<std::uint32_t>(camera.height_px);
   info->distortion_model = sensor_msgs::distortion_models::PLUMB_BOB;
   info->D.assign(5, 0.0);
-  info->K = {pinhole.focal_px, 0.0, pinhole.cx_px, 0.0, pinhole.focal_px, pinhole.cy_px, 0.0, 0.0, 1.0};
+  info->K = {pinhole.fx_px, 0.0, pinhole.cx_px, 0.0, pinhole.fy_px, pinhole.cy_px, 0.0, 0.0, 1.0};
   info->R = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
-  info->P = {pinhole.focal_px, 0.0, pinhole.cx_px, 0.0, 0.0, pinhole.focal_px,
+  info->P = {pinhole.fx_px, 0.0, pinhole.cx_px, 0.0, 0.0, pinhole.fy_px,
              pinhole.cy_px,    0.0, 0.0,           0.0, 1.0, 0.0};
   return info;
 }

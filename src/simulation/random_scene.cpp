@@ -165,11 +165,20 @@ bool drawBox(const RandomSceneOptions& options, const View& view, Draws& draws, 
   return false;
 }
 
+/// The same view in an image of this width.
+void shrink(Camera& camera, int width) {
+  const double ratio = static_cast<double>(width) / camera.width_px;
+  camera.height_px = std::max(2, camera.height_px * width / camera.width_px);
+  camera.width_px = width;
+  if (!camera.intrinsics) return;
+  Intrinsics& own = *camera.intrinsics;
+  own = {ratio * own.fx_px, ratio * own.fy_px, ratio * (own.cx_px + 0.5) - 0.5,
+         ratio * (own.cy_px + 0.5) - 0.5};
+}
+
 bool topsVisible(const RandomSceneOptions& options, Scene scene) {
   if (!(options.min_top_visibility > 0.0)) return true;
-  const int width = std::min(scene.camera.width_px, kPreviewWidth);
-  scene.camera.height_px = std::max(2, scene.camera.height_px * width / scene.camera.width_px);
-  scene.camera.width_px = width;
+  shrink(scene.camera, std::min(scene.camera.width_px, kPreviewWidth));
   for (const double visibility : capture(scene, 0).top_visibility) {
     if (visibility < options.min_top_visibility) return false;
   }

@@ -40,8 +40,7 @@ void addQuad(Mesh& mesh, const Pose& camera_from_object, const std::array<Eigen:
 
 class FloorSurface : public Surface {
  public:
-  explicit FloorSurface(const Scene& scene)
-      : rgb_(toVector(scene.floor.rgb)), pixel_step_(1.0 / Pinhole(scene.camera).focal_px) {
+  explicit FloorSurface(const Scene& scene) : rgb_(toVector(scene.floor.rgb)), pinhole_(scene.camera) {
     if (!scene.has_marker) return;
     picture_.emplace(scene.marker);
     marker_from_camera_ = worldFromMarker(scene.marker).inverse() * scene.camera.world_from_camera;
@@ -56,7 +55,7 @@ class FloorSurface : public Surface {
       for (int col = 0; col < kPaperSamples; ++col) {
         const double du = (col + 0.5) / kPaperSamples - 0.5;
         const double dv = (row + 0.5) / kPaperSamples - 0.5;
-        sum += ink(direction + pixel_step_ * Eigen::Vector3d(du, dv, 0.0));
+        sum += ink(direction + Eigen::Vector3d(du / pinhole_.fx_px, dv / pinhole_.fy_px, 0.0));
       }
     }
     return sum / static_cast<float>(kPaperSamples * kPaperSamples);
@@ -72,7 +71,7 @@ class FloorSurface : public Surface {
   }
 
   Eigen::Vector3f rgb_;
-  double pixel_step_;
+  Pinhole pinhole_;
   std::optional<MarkerPicture> picture_;
   Pose marker_from_camera_ = Pose::Identity();
 };

@@ -13,6 +13,7 @@ constexpr int kMaxPixels = 64 * 1024 * 1024;
 constexpr std::size_t kMaxBoxes = 65535;  // the mask has 16 bits
 constexpr double kMaxLength = 100.0;      // [m]: a larger number is a length in millimetres
 constexpr double kAllowedOverlap = 1e-4;  // [m]
+constexpr double kMaxFocal = 1e7;         // [px]
 constexpr double kMaxGain = 100.0;
 constexpr double kMaxBulge = 0.03;     // [m]
 constexpr double kMaxRounding = 0.02;  // [m]
@@ -77,14 +78,29 @@ void checkMarker(const Scene& scene, Rules& rules) {
                 marker.position_m.transpose(), "is not on the floor");
 }
 
+void checkLens(const Camera& camera, Rules& rules) {
+  if (!camera.intrinsics) {
+    const double fov = camera.horizontal_fov_rad;
+    rules.require(fov > 0.001 && fov < 3.1, "camera.horizontal_fov", fov * 180.0 / kPi,
+                  "is not in (0.06, 177) degrees");
+    return;
+  }
+  const Intrinsics& own = *camera.intrinsics;
+  const auto focal = [&](const std::string& key, double value) {
+    rules.require(value >= 1.0 && value <= kMaxFocal, key, value, "is not in [1, 1e7] pixels");
+  };
+  focal("camera.fx_px", own.fx_px);
+  focal("camera.fy_px", own.fy_px);
+  rules.require(std::abs(own.cx_px) <= kMaxFocal, "camera.cx_px", own.cx_px, "is not within 1e7 pixels");
+  rules.require(std::abs(own.cy_px) <= kMaxFocal, "camera.cy_px", own.cy_px, "is not within 1e7 pixels");
+}
+
 void checkCamera(const Camera& camera, Rules& rules) {
   const bool size_ok = camera.width_px >= 2 && camera.height_px >= 2 && camera.width_px <= kMaxPixels / 2 &&
                        camera.height_px <= kMaxPixels / camera.width_px;
   const std::string size = std::to_string(camera.width_px) + " x " + std::to_string(camera.height_px);
   rules.require(size_ok, "camera.width_px", size, "is not an image of 2 x 2 to 64 million pixels");
-  const double fov = camera.horizontal_fov_rad;
-  rules.require(fov > 0.001 && fov < 3.1, "camera.horizontal_fov", fov * 180.0 / kPi,
-                "is not in (0.06, 177) degrees");
+  checkLens(camera, rules);
   const Eigen::Matrix3d rotation = camera.world_from_camera.linear();
   const bool rigid = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-6 &&
                      rotation.determinant() > 0.0;

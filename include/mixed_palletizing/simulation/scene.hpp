@@ -3,13 +3,13 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include <mixed_palletizing/geometry/pose.hpp>
+#include <mixed_palletizing/simulation/camera.hpp>
 #include <mixed_palletizing/simulation/scene_box.hpp>
 
 namespace mixed_palletizing::simulation {
@@ -30,17 +30,6 @@ struct Marker {
   bool inverted = true;
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< of the centre on the floor
   double yaw_rad = 0.0;                                  ///< direction from corner 0 to corner 1
-};
-
-/// Pinhole camera: optical frame x right, y down, z forward.
-struct Camera {
-  int width_px = 1920;
-  int height_px = 1200;
-  double horizontal_fov_rad = 0.6815;  ///< Zivid One: 780 mm wide at 1100 mm (thesis 2.1)
-  geometry::Pose world_from_camera = geometry::Pose::Identity();
-  /// Place of the projector in the camera's frame [m]: what it does not light has no data. Without it
-  /// everything the camera sees is lit.
-  std::optional<Eigen::Vector3d> projector_m;
 };
 
 /// What the sensor does to the ideal cloud; everything is off by default.
@@ -66,10 +55,6 @@ struct Scene {
   Camera camera;
   Noise noise;
 };
-
-/// Pose of a camera at `eye` looking at `target`, image up as near to world z as it can be (to world y when
-/// the camera looks straight down). Throws std::invalid_argument when eye and target coincide.
-geometry::Pose lookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target);
 
 /// Frame at the marker's centre, z up, x from corner 0 to corner 1: the base frame that a detector should find.
 geometry::Pose worldFromMarker(const Marker& marker);

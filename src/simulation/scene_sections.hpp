@@ -1,0 +1,15 @@
+// Sections of a scene file; every one reads its keys and reports those it does not know.
+#pragma once
+
+#include <mixed_palletizing/simulation/scene.hpp>
+
+#include "yaml_section.hpp"
+
+namespace mixed_palletizing::simulation {
+
+/// Reads the pose only if asked. Returns whether the camera is the ideal one, which has no noise (and no projector).
+bool readCamera(YamlSection section, bool with_pose, Camera& camera);
+
+void readBox(YamlSection section, SceneBox& box);
+
+}  // namespace mixed_palletizing::simulation
