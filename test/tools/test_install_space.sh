@@ -11,6 +11,7 @@ share=$workspace/install/share/mixed_palletizing
 for file in nodelet_plugins.xml launch/cell.launch launch/demo.launch launch/replay.launch; do
   [ -f "$share/$file" ] || die "not installed: $file"
 done
+[ -x "$workspace/install/lib/mixed_palletizing/simple_executive.py" ] || die "the example executive is not installed"
 ls "$share"/rviz/*.rviz "$share"/config/*.yaml >/dev/null
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
