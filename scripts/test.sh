@@ -57,6 +57,7 @@ say "checks"
 check layers "$root/scripts/check_layers.py"
 check layer_check_itself /usr/bin/python3 "$root/test/tools/test_check_layers.py"
 check show_report /usr/bin/python3 "$root/test/tools/test_show_report.py"
+check docs /usr/bin/python3 "$root/test/tools/test_docs.py"
 check clang_format formatted
 check catkin_lint linted
 
