@@ -70,7 +70,7 @@ std::optional<PlanPalletServer::Task> PlanPalletServer::taskOf(const PlanPalletG
   }
   const ReadOrder read = readOrder({goal.size, goal.order, goal.gap, goal.min_support_ratio});
   if (read.problems.empty()) {
-    return Task{read.order, packing::PalletState(read.order.rules), itemsOf(read.order.counts)};
+    return Task{read.order, packing::PalletState(read.order), itemsOf(read.order.counts)};
   }
   result.status = PlanPalletResult::BAD_REQUEST;
   for (const auto& line : read.problems) result.message += (result.message.empty() ? "" : "; ") + line;

@@ -39,10 +39,11 @@ class Play {
 
   /// Empty when all visible items may be discarded; they are, and the next ones arrive.
   std::string discard() {
-    if (instance_.order.rules.min_support_ratio >= 1.0) {
+    if (instance_.order.rules.min_support_ratio >= 1.0 && !limitsLoads(instance_.order)) {
       for (const int item : visible_) {
         const int type = types_[static_cast<std::size_t>(item)];
         if (!refused_.insert(type).second) continue;  // did not fit since the last placement
+        if (tooHeavy(type)) continue;
         for (const packing::Vec3& size :
              allowedSizes(instance_.order.types[static_cast<std::size_t>(type)])) {
           if (fitsSomewhere(instance_.order.rules, placed_, size)) {
@@ -66,6 +67,15 @@ class Play {
   }
 
  private:
+  /// With this item the boxes would weigh more than the pallet may carry.
+  bool tooHeavy(int type) const {
+    const packing::Order& order = instance_.order;
+    double weight = order.types[static_cast<std::size_t>(type)].weight_kg;
+    for (const packing::Placement& p : placed_)
+      weight += order.types[static_cast<std::size_t>(p.type)].weight_kg;
+    return order.rules.max_weight_kg > 0.0 && weight > order.rules.max_weight_kg;
+  }
+
   void join() { visible_.push_back(arrival_[next_++]); }
 
   const Instance& instance_;

@@ -10,8 +10,8 @@
 namespace mixed_palletizing::instances {
 
 /// Plays the arrival along the placements: the stated `available` items, the choice among them, and that
-/// items were only discarded when none of them fitted (decided with full support only, where it can be
-/// decided exactly). Item indices and placements must be sound. One line a fault, the first ends the play.
+/// items were only discarded when none of them fitted (decided with full support and without limits on tops
+/// only, where it can be decided exactly). Item indices and placements must be sound. One line a fault, the first ends the play.
 std::vector<std::string> arrivalFaults(const Instance& instance, const PackingResult& result);
 
 }  // namespace mixed_palletizing::instances

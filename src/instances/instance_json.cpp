@@ -47,7 +47,10 @@ void itemFromJson(const Json& value, const std::string& where, packing::Order& o
   type.size = reader.lengths("size_mm", 1);
   if (reader.has("rotations")) type.rotations = rotationsFromJson(reader);
   if (reader.has("weight_kg")) type.weight_kg = reader.number("weight_kg", 0.0, kMaxWeight);
-  if (reader.has("max_load_kg")) type.max_load_kg = reader.number("max_load_kg", 0.0, kMaxWeight);
+  if (reader.has("max_load_kg")) {
+    type.max_load_kg = reader.number("max_load_kg", 0.0, kMaxWeight);
+    if (type.max_load_kg == 0.0) reader.fault("max_load_kg", "must be positive; leave it out for no limit");
+  }
   order.counts.push_back(reader.integer("count", 1, packing::kMaxItems));
   order.types.push_back(type);
   reader.finish();
@@ -60,7 +63,7 @@ packing::Placement placementFromJson(const Json& value, const std::string& where
   const std::string name = reader.text("type");
   placement.type = typeIndex(order, name);
   if (placement.type < 0) reader.fault("type", "'" + name + "' is no type of the items");
-  placement.origin = reader.lengths("origin_mm", 0);
+  placement.origin = reader.lengths("origin_mm", -packing::kMaxPalletLength);
   placement.size = reader.lengths("size_mm", 1);
   reader.finish();
   return placement;
@@ -90,6 +93,11 @@ Instance instanceFromJson(const Json& line, std::vector<std::string>& faults) {
   if (reader.has("min_support_ratio")) {
     order.rules.min_support_ratio = reader.number("min_support_ratio", 0.0, 1.0);
   }
+  if (reader.has("overhang_mm")) {
+    order.rules.overhang = reader.integer("overhang_mm", 0, packing::kMaxPalletLength);
+  }
+  if (reader.has("max_weight_kg"))
+    order.rules.max_weight_kg = reader.number("max_weight_kg", 0.0, kMaxWeight);
   if (reader.has("arrival")) {
     for (const auto& [element, where] : reader.elements("arrival")) {
       const std::string name = element->is_string() ? element->get<std::string>() : std::string();
@@ -137,6 +145,8 @@ std::string formatInstance(const Instance& instance) {
   line["n_pick"] = instance.n_pick;
   line["gap_mm"] = order.rules.gap;
   line["min_support_ratio"] = order.rules.min_support_ratio;
+  if (order.rules.overhang > 0) line["overhang_mm"] = order.rules.overhang;
+  if (order.rules.max_weight_kg > 0.0) line["max_weight_kg"] = order.rules.max_weight_kg;
   const auto name = [&order](int type) { return order.types.at(static_cast<std::size_t>(type)).name; };
   for (const int type : instance.arrival) line["arrival"].push_back(name(type));
   for (const packing::Placement& p : instance.perfect_packing) {

@@ -33,11 +33,17 @@ struct Rectangle {
   int x0, y0, x1, y1;
 };
 
-/// The parts of the base that lie on tops of exactly its height.
-std::vector<Rectangle> contacts(const Placement& placement, const std::vector<Placement>& below) {
+/// The parts of the base that lie on the pallet or on tops of exactly its height.
+std::vector<Rectangle> contacts(const packing::PalletRules& rules, const Placement& placement,
+                                const std::vector<Placement>& below) {
   std::vector<Rectangle> found;
+  std::vector<Placement> supports;
+  if (placement.origin.z == 0) supports.push_back({0, {0, 0, -1}, {rules.size.x, rules.size.y, 1}});
   for (const Placement& other : below) {
-    if (top(other) != placement.origin.z || !footprintsMeet(placement, other, 0)) continue;
+    if (top(other) == placement.origin.z) supports.push_back(other);
+  }
+  for (const Placement& other : supports) {
+    if (!footprintsMeet(placement, other, 0)) continue;
     found.push_back({std::max(placement.origin.x, other.origin.x),
                      std::max(placement.origin.y, other.origin.y),
                      std::min(placement.origin.x + placement.size.x, other.origin.x + other.size.x),
@@ -73,16 +79,15 @@ bool centreOverHull(const Placement& placement, const std::vector<Rectangle>& re
 
 std::vector<std::string> supportFaults(const packing::PalletRules& rules,
                                        const std::vector<Placement>& placed, const Placement& placement) {
-  if (placement.origin.z == 0) return {};
   const std::int64_t base = static_cast<std::int64_t>(placement.size.x) * placement.size.y;
-  const std::int64_t supported = supportedArea(placement, placed);
+  const std::int64_t supported = supportedArea(rules, placement, placed);
   const double needed = rules.min_support_ratio * (1.0 - kRounding);
   if (static_cast<double>(supported) < needed * static_cast<double>(base)) {
     return {"only " + std::to_string(supported) + " of " + std::to_string(base) +
             " mm^2 of its base at z = " + std::to_string(placement.origin.z) + " are supported, at least " +
             std::to_string(rules.min_support_ratio) + " of it needed"};
   }
-  if (supported < base && !centreOverHull(placement, contacts(placement, placed))) {
+  if (supported < base && !centreOverHull(placement, contacts(rules, placement, placed))) {
     return {"the centre of its base does not lie over the support"};
   }
   return {};
@@ -92,16 +97,18 @@ bool isPositive(const Vec3& size) { return size.x > 0 && size.y > 0 && size.z > 
 
 bool insidePallet(const packing::PalletRules& rules, const Placement& p) {
   const Vec3& pallet = rules.size;
-  return p.origin.x >= 0 && p.origin.y >= 0 && p.origin.z >= 0 && p.size.x <= pallet.x &&
-         p.size.y <= pallet.y && p.size.z <= pallet.z && p.origin.x <= pallet.x - p.size.x &&
-         p.origin.y <= pallet.y - p.size.y && p.origin.z <= pallet.z - p.size.z;
+  const int over = rules.overhang;
+  return p.origin.x >= -over && p.origin.y >= -over && p.origin.z >= 0 && p.size.x <= pallet.x + 2 * over &&
+         p.size.y <= pallet.y + 2 * over && p.size.z <= pallet.z &&
+         p.origin.x <= pallet.x + over - p.size.x && p.origin.y <= pallet.y + over - p.size.y &&
+         p.origin.z <= pallet.z - p.size.z;
 }
 
 }  // namespace
 
-std::int64_t supportedArea(const Placement& placement, const std::vector<Placement>& below) {
-  if (placement.origin.z == 0) return static_cast<std::int64_t>(placement.size.x) * placement.size.y;
-  const std::vector<Rectangle> rectangles = contacts(placement, below);
+std::int64_t supportedArea(const packing::PalletRules& rules, const Placement& placement,
+                           const std::vector<Placement>& below) {
+  const std::vector<Rectangle> rectangles = contacts(rules, placement, below);
   std::set<int> xs;
   std::set<int> ys;
   for (const Rectangle& r : rectangles) {
@@ -187,6 +194,7 @@ std::vector<std::string> placementFaults(const packing::Order& order,
     placed.push_back(isPositive(placement.size) && insidePallet(order.rules, placement) ? placement
                                                                                         : Placement{});
   }
+  if (found.empty()) found = loadFaults(order, placements);
   return found;
 }
 
@@ -198,8 +206,8 @@ bool fitsSomewhere(const packing::PalletRules& rules, const std::vector<Placemen
     if (z > rules.size.z - size.z) break;
     // A box that fits can be pushed towards the origin until a wall, a box it is lowered past, or the edge of
     // its support stops it. Boxes whose tops are below z matter to nothing here.
-    std::set<int> xs{0};
-    std::set<int> ys{0};
+    std::set<int> xs{-rules.overhang, 0};
+    std::set<int> ys{-rules.overhang, 0};
     std::vector<Placement> near;
     for (const Placement& p : placed) {
       if (top(p) < z) continue;

@@ -9,17 +9,26 @@
 
 namespace mixed_palletizing::instances {
 
-/// Area [mm^2] of the base that lies on the floor or on tops of exactly its height, by coordinate
+/// Area [mm^2] of the base that lies on the pallet or on tops of exactly its height, by coordinate
 /// compression. Overlapping tops count once.
-std::int64_t supportedArea(const packing::Placement& placement, const std::vector<packing::Placement>& below);
+std::int64_t supportedArea(const packing::PalletRules& rules, const packing::Placement& placement,
+                           const std::vector<packing::Placement>& below);
 
 /// The rules `placement` breaks on top of `placed`: inside, overlap, gap, support, loadable from above.
 std::vector<std::string> placementFaults(const packing::PalletRules& rules,
                                          const std::vector<packing::Placement>& placed,
                                          const packing::Placement& placement);
 
-/// All of them for placements in loading order, with sizes and types against the order. Every line begins
-/// with "placement <index>".
+/// Some type's top may not carry everything.
+bool limitsLoads(const packing::Order& order);
+
+/// The limits of weight and load that the finished pallet breaks: the weight of a box and of all it carries
+/// rests on the boxes below it in proportion to the areas of contact.
+std::vector<std::string> loadFaults(const packing::Order& order,
+                                    const std::vector<packing::Placement>& placements);
+
+/// All of these for placements in loading order, with sizes and types against the order. Every line but that of
+/// the whole weight begins with "placement <index>".
 std::vector<std::string> placementFaults(const packing::Order& order,
                                          const std::vector<packing::Placement>& placements);
 

@@ -20,6 +20,13 @@ DecisionTimes timesFromJson(const Json& value, std::vector<std::string>& faults)
   return times;
 }
 
+/// More than 1 where boxes may stick out of the pallet.
+double maxUtilization(const Instance& instance) {
+  const packing::PalletRules& rules = instance.order.rules;
+  return static_cast<double>(packing::volume(rules.room().size())) /
+         static_cast<double>(packing::volume(rules.size));
+}
+
 }  // namespace
 
 PackingResult resultFromJson(const Json& line, const Instance& instance, std::vector<std::string>& faults) {
@@ -42,7 +49,7 @@ PackingResult resultFromJson(const Json& line, const Instance& instance, std::ve
   }
   result.unpacked = reader.integers("unpacked", 0, INT32_MAX);
   if (reader.has("pallets")) result.pallets = reader.integer("pallets", 1, packing::kMaxItems);
-  result.utilization = reader.number("utilization", 0.0, 1.0 + kUtilizationTolerance);
+  result.utilization = reader.number("utilization", 0.0, maxUtilization(instance) + kUtilizationTolerance);
   if (const Json* times = reader.has("decision_ms") ? reader.value("decision_ms") : nullptr) {
     result.decision_ms = timesFromJson(*times, faults);
   }

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   instances::PackRun run;
   run.method = "best";
   std::string out;
+  std::string spaces = "supported";
   bool keep_going = false;
   bool progress = false;
   mixed_palletizing::adapters::CommandLine line(
@@ -28,11 +29,14 @@ int main(int argc, char** argv) {
       "of the searches, for one order; 0 = no limit. With --time_limit_s 0 the result is reproducible");
   line.option("max_pallets", &run.max_pallets,
               "for one order; 0 = as many as it needs, which is the default for csv and bed_bpp");
+  line.choice("spaces", &spaces, {"supported", "empty"},
+              "maximal spaces that offer places; all rules hold in both");
   line.option("seed", &run.options.seed, "of every random choice");
   line.flag("keep-going", &keep_going, "pack the sound orders of a file that has faults");
   line.flag("progress", &progress, "one line an order on stderr");
   return line.run(argc, argv, [&] {
     run.options.method = *packing::packMethodFromString(run.method);
+    if (spaces == "empty") run.options.spaces = packing::SpaceKind::kEmpty;
     const bool published =
         orders.format() == instances::OrderFormat::kCsv || orders.format() == instances::OrderFormat::kBedBpp;
     if (published && !line.given("max_pallets")) run.max_pallets = 0;

@@ -42,20 +42,23 @@ void LevelSpaces::write(int z, std::vector<Rect>& rects) {
 std::vector<Rect> supportedRects(const PalletRules& rules, const std::vector<Placement>& placements, int z) {
   const bool full_support = rules.min_support_ratio == 1.0;
   std::vector<Rect> rects;
-  if (z == 0 || !full_support) rects.push_back({0, 0, rules.size.x, rules.size.y});
+  const Space room = rules.room();
+  if (z == 0 || !full_support) rects.push_back({room.min.x, room.min.y, room.max.x, room.max.y});
   for (const Placement& p : placements) {
     if (full_support && p.origin.z + p.size.z == z) addRect(rects, footprintOf(p));
   }
   for (const Placement& p : placements) {
     if (p.origin.z + p.size.z > z) cutOut(rects, widened(footprintOf(p), rules.gap));
   }
-  dropUnsupported(rects, z, placements);
+  dropUnsupported(rects, rules, z, placements);
   return rects;
 }
 
-void dropUnsupported(std::vector<Rect>& rects, int z, const std::vector<Placement>& placements) {
-  if (z == 0) return;
+void dropUnsupported(std::vector<Rect>& rects, const PalletRules& rules, int z,
+                     const std::vector<Placement>& placements) {
+  if (z == 0 && rules.overhang == 0) return;
   const auto unsupported = [&](const Rect& rect) {
+    if (z == 0) return !rect.overlaps({0, 0, rules.size.x, rules.size.y});
     return std::none_of(placements.begin(), placements.end(), [&](const Placement& p) {
       return p.origin.z + p.size.z == z && footprintOf(p).overlaps(rect);
     });

@@ -48,7 +48,8 @@ class LevelSpaces {
 /// or, with partial support, where nothing stands higher and at least something supports.
 std::vector<Rect> supportedRects(const PalletRules& rules, const std::vector<Placement>& placements, int z);
 
-/// Removes rectangles that lie over no top at height `z` (and not on the floor).
-void dropUnsupported(std::vector<Rect>& rects, int z, const std::vector<Placement>& placements);
+/// Removes rectangles that lie over no top at height `z`, on the floor those beside the pallet.
+void dropUnsupported(std::vector<Rect>& rects, const PalletRules& rules, int z,
+                     const std::vector<Placement>& placements);
 
 }  // namespace mixed_palletizing::packing

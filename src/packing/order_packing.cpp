@@ -98,7 +98,7 @@ OrderPacking packOrder(const Order& order, const std::vector<int>& items, const 
     search.run(report);
     return assignItems(search.placements(), items, search.utilization());
   }
-  const PalletState pallet(order.rules);
+  const PalletState pallet(order, options.spaces);
   SequenceResult result;
   if (options.method == PackMethod::kGa) {
     result = thesisSearch(pallet, order.types, items, options, stop, report);

@@ -11,6 +11,7 @@
 
 #include <mixed_palletizing/packing/pallet_state.hpp>
 
+#include "empty_spaces.hpp"
 #include "level_spaces.hpp"
 #include "maximal_rectangles.hpp"
 #include "messages.hpp"
@@ -35,23 +36,32 @@ bool isBox(const Placement& p) { return p.type >= 0 && p.size.x > 0 && p.size.y 
 PalletState::PalletState(const PalletRules& rules) : rules_(rules) {
   throwProblems("PalletState", problems(rules));
   full_support_ = rules.min_support_ratio == 1.0;
-  spaces_.push_back({{0, 0, 0}, rules.size});
+  spaces_.push_back(rules.room());
+}
+
+PalletState::PalletState(const Order& order, SpaceKind kind) : PalletState(order.rules) {
+  kind_ = kind;
+  loads_ = LoadBook(order);
 }
 
 std::string PalletState::whyNot(const Placement& placement) const {
-  return brokenRule(rules_, placements_, placement);
+  const std::string broken = brokenRule(rules_, placements_, placement);
+  return broken.empty() ? loads_.whyNot(placements_, placement) : broken;
 }
 
 bool PalletState::accepts(const Placement& placement) const {
-  if (!full_support_) return whyNot(placement).empty();
-  return isBox(placement) && std::any_of(spaces_.begin(), spaces_.end(),
-                                         [&](const Space& space) { return holds(space, placement); });
+  if (!full_support_ || kind_ == SpaceKind::kEmpty) return whyNot(placement).empty();
+  const bool held = isBox(placement) && std::any_of(spaces_.begin(), spaces_.end(), [&](const Space& space) {
+                      return holds(space, placement);
+                    });
+  return held && (!loads_.active() || loads_.whyNot(placements_, placement).empty());
 }
 
 void PalletState::place(const Placement& placement) {
   if (!accepts(placement)) throw std::invalid_argument("PalletState::place: " + whyNot(placement));
   placements_.push_back(placement);
   packed_volume_ += volume(placement.size);
+  loads_.addLast(placements_);
   addObstacle(placement);
 }
 
@@ -60,6 +70,7 @@ bool PalletState::undo() {
   const Placement placement = placements_.back();
   placements_.pop_back();
   packed_volume_ -= volume(placement.size);
+  loads_.removeLast();
   removeObstacle(placement);
   return true;
 }
@@ -68,7 +79,24 @@ double PalletState::utilization() const {
   return static_cast<double>(packed_volume_) / static_cast<double>(volume(rules_.size));
 }
 
+void PalletState::cutOutOfEmpty(const Placement& placement) {
+  const Rect obstacle = widened(footprintOf(placement), rules_.gap);
+  cutOut(spaces_,
+         Space{{obstacle.x0, obstacle.y0, placement.origin.z}, {obstacle.x1, obstacle.y1, topOf(placement)}},
+         removed_);
+  removed_ends_.push_back(removed_.size());
+}
+
+void PalletState::restoreEmpty() {
+  removed_ends_.pop_back();
+  const auto first =
+      removed_.begin() + static_cast<std::ptrdiff_t>(removed_ends_.empty() ? 0 : removed_ends_.back());
+  restore(spaces_, {first, removed_.end()});
+  removed_.erase(first, removed_.end());
+}
+
 void PalletState::addObstacle(const Placement& placement) {
+  if (kind_ == SpaceKind::kEmpty) return cutOutOfEmpty(placement);
   const Rect footprint = footprintOf(placement);
   const int top = topOf(placement);
   LevelSpaces levels(spaces_, rules_.size.z);
@@ -84,13 +112,14 @@ void PalletState::addObstacle(const Placement& placement) {
     if (z >= top) break;
     levels.edit(z, [&](std::vector<Rect>& rects) {
       cutOut(rects, obstacle);
-      dropUnsupported(rects, z, placements_);
+      dropUnsupported(rects, rules_, z, placements_);
     });
   }
   rebuildLevel(top);
 }
 
 void PalletState::removeObstacle(const Placement& placement) {
+  if (kind_ == SpaceKind::kEmpty) return restoreEmpty();
   const Rect footprint = footprintOf(placement);
   const int top = topOf(placement);
   LevelSpaces levels(spaces_, rules_.size.z);

@@ -17,17 +17,20 @@ std::string text(const Vec3& v) {
   return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ") mm";
 }
 
-bool inside(int origin, int length, int limit) {
-  return origin >= 0 && origin <= limit && length <= limit - origin;
+bool inside(int origin, int length, int low, int high) {
+  return origin >= low && origin <= high && length <= high - origin;
 }
 
 std::string brokenBounds(const PalletRules& rules, const Placement& p) {
   if (p.type < 0) return "type " + std::to_string(p.type) + " is negative";
   if (p.size.x <= 0 || p.size.y <= 0 || p.size.z <= 0) return "size " + text(p.size) + " is not positive";
-  if (!inside(p.origin.x, p.size.x, rules.size.x) || !inside(p.origin.y, p.size.y, rules.size.y) ||
-      !inside(p.origin.z, p.size.z, rules.size.z)) {
+  const Space room = rules.room();
+  if (!inside(p.origin.x, p.size.x, room.min.x, room.max.x) ||
+      !inside(p.origin.y, p.size.y, room.min.y, room.max.y) ||
+      !inside(p.origin.z, p.size.z, room.min.z, room.max.z)) {
     return "box at " + text(p.origin) + " of " + text(p.size) + " sticks out of the pallet of " +
-           text(rules.size);
+           text(rules.size) +
+           (rules.overhang > 0 ? " by more than " + std::to_string(rules.overhang) + " mm" : std::string());
   }
   return {};
 }
@@ -73,18 +76,22 @@ bool insideHull(const Point& center, const std::vector<Point>& points) {
 
 std::string brokenSupport(const PalletRules& rules, const std::vector<Placement>& placed,
                           const Placement& p) {
-  if (p.origin.z == 0) return {};
   const Rect footprint = footprintOf(p);
+  const Rect deck{0, 0, rules.size.x, rules.size.y};
+  if (p.origin.z == 0 && deck.contains(footprint)) return {};
   std::int64_t supported = 0;
   std::vector<Point> contact;  // twice the coordinates, so that the centre of the base is exact
-  for (const Placement& other : placed) {
-    if (other.origin.z + other.size.z != p.origin.z) continue;
-    const Rect r = intersection(footprint, footprintOf(other));
-    if (r.empty()) continue;
+  const auto rest = [&](const Rect& top) {
+    const Rect r = intersection(footprint, top);
+    if (r.empty()) return;
     supported += static_cast<std::int64_t>(r.x1 - r.x0) * (r.y1 - r.y0);
     for (const int x : {r.x0, r.x1}) {
       for (const int y : {r.y0, r.y1}) contact.push_back({2LL * x, 2LL * y});
     }
+  };
+  if (p.origin.z == 0) rest(deck);
+  for (const Placement& other : placed) {
+    if (p.origin.z > 0 && other.origin.z + other.size.z == p.origin.z) rest(footprintOf(other));
   }
   const std::int64_t base = static_cast<std::int64_t>(p.size.x) * p.size.y;
   const double ratio = static_cast<double>(supported) / static_cast<double>(base);

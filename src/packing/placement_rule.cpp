@@ -72,13 +72,17 @@ void sortUnique(std::vector<int>& values) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-/// Positions of one size in one partly supported space.
+/// Positions of one size in one space whose base may not carry it everywhere.
 void addPartlySupported(const PalletState& state, const Space& space, const Vec3& size, int type,
                         std::vector<Placement>& placements) {
   if (!fits(size, space)) return;
   std::vector<int> xs{space.min.x};
   std::vector<int> ys{space.min.y};
   const Rect base{space.min.x, space.min.y, space.max.x, space.max.y};
+  if (space.min.z == 0 && state.rules().overhang > 0) {
+    addStarts(base.x0, base.x1, size.x, 0, state.rules().size.x, xs);
+    addStarts(base.y0, base.y1, size.y, 0, state.rules().size.y, ys);
+  }
   for (const Placement& below : state.placements()) {
     const Rect top = footprintOf(below);
     if (below.origin.z + below.size.z != space.min.z || !top.overlaps(base)) continue;
@@ -97,6 +101,7 @@ void addPartlySupported(const PalletState& state, const Space& space, const Vec3
 
 std::vector<Placement> allPlacements(const PalletState& state, const std::vector<Vec3>& sizes, int type) {
   std::vector<Placement> placements;
+  if (!state.carriesWeightOf(type)) return placements;
   for (const Space& space : state.spaces()) {
     for (const Vec3& size : sizes) {
       if (!state.fullSupport()) {
@@ -149,6 +154,7 @@ std::optional<Placement> findPlacement(const PalletState& state, const std::vect
                                        int type_index, PlacementRule rule) {
   checkItem(sizes, type_index, "findPlacement");
   if (!state.fullSupport()) return bestOf(allPlacements(state, sizes, type_index), rule);
+  if (!state.carriesWeightOf(type_index)) return std::nullopt;
   return rule == PlacementRule::kDblf ? deepest(state.spaces(), sizes, type_index)
                                       : nearest(state.spaces(), sizes, type_index);
 }

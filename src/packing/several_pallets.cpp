@@ -10,6 +10,8 @@ namespace mixed_palletizing::packing {
 
 namespace {
 
+constexpr double kRounding = 1e-9;  ///< of a sum of weights, relative
+
 std::vector<int> typesOf(const std::vector<int>& items, const std::vector<int>& chosen) {
   std::vector<int> types;
   types.reserve(chosen.size());
@@ -21,9 +23,19 @@ std::vector<int> typesOf(const std::vector<int>& items, const std::vector<int>& 
 
 int leastPallets(const Order& order, const std::vector<int>& items) {
   std::int64_t packed = 0;
-  for (const int type : items) packed += volume(order.types.at(static_cast<std::size_t>(type)).size);
-  const std::int64_t pallet = volume(order.rules.size);
-  return static_cast<int>(std::max<std::int64_t>(1, (packed + pallet - 1) / pallet));
+  double weight = 0.0;
+  for (const int index : items) {
+    const ItemType& type = order.types.at(static_cast<std::size_t>(index));
+    packed += volume(type.size);
+    weight += type.weight_kg;
+  }
+  const std::int64_t pallet = volume(order.rules.room().size());
+  int least = static_cast<int>(std::max<std::int64_t>(1, (packed + pallet - 1) / pallet));
+  if (order.rules.max_weight_kg > 0.0) {
+    least =
+        std::max(least, static_cast<int>(std::ceil(weight / order.rules.max_weight_kg * (1.0 - kRounding))));
+  }
+  return least;
 }
 
 SeveralPallets packPallets(const Order& order, const std::vector<int>& items, const PackOptions& options,

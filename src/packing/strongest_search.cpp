@@ -16,7 +16,7 @@ constexpr int kDistanceRuleEvery = 4;  ///< rounds of the genetic search
 
 StrongestSearch::StrongestSearch(const Order& order, const std::vector<int>& items,
                                  const PackOptions& options, const StopCallback& stop)
-    : order_(order), items_(items), options_(options), stop_(stop), pallet_(order.rules) {}
+    : order_(order), items_(items), options_(options), stop_(stop), pallet_(order, options.spaces) {}
 
 void StrongestSearch::run(const PackReport& report) {
   double width = 1.0;
@@ -31,7 +31,8 @@ void StrongestSearch::run(const PackReport& report) {
   }
 }
 
-bool StrongestSearch::blocksServe() const { return order_.rules.gap == 0 && pallet_.fullSupport(); }
+/// Blocks stand close; their full support keeps every other rule of support.
+bool StrongestSearch::blocksServe() const { return order_.rules.gap == 0; }
 
 double StrongestSearch::utilization() const {
   return static_cast<double>(volume_) / static_cast<double>(volume(order_.rules.size));
@@ -56,8 +57,31 @@ void StrongestSearch::blockRound(SpaceOrder space_order, std::size_t width) {
     blocks_.emplace(order_.rules.size, order_.types, counts, BlockSearchOptions{});
   }
   blocks_->run(space_order, width, stop_);
-  if (blocks_->bestVolume() > volume_) take(blocks_->bestPlacements(), blocks_->bestVolume());
-  complete_ = complete_ || blocks_->complete();
+  if (blocks_->bestVolume() <= volume_) return;
+  const SequenceResult kept = keepRules(blocks_->bestPlacements());
+  std::int64_t packed = 0;
+  for (const Placement& p : kept.placements) packed += volume(p.size);
+  if (packed > volume_) take(kept.placements, packed);
+  complete_ = complete_ || kept.unpacked.empty();
+}
+
+/// The blocks know nothing of weights: what breaks a limit is left out, then filled up item by item.
+SequenceResult StrongestSearch::keepRules(const std::vector<Placement>& placements) const {
+  PalletState pallet = pallet_;
+  std::vector<int> counts(order_.types.size(), 0);
+  for (const int type : items_) ++counts[static_cast<std::size_t>(type)];
+  for (const Placement& placement : placements) {
+    if (!pallet.accepts(placement)) continue;
+    pallet.place(placement);
+    --counts[static_cast<std::size_t>(placement.type)];
+  }
+  std::vector<int> rest;
+  for (std::size_t type = 0; type < counts.size(); ++type) {
+    rest.insert(rest.end(), static_cast<std::size_t>(counts[type]), static_cast<int>(type));
+  }
+  SequenceResult kept = packSequence(pallet, order_.types, rest, PlacementRule::kDblf);
+  kept.placements.insert(kept.placements.begin(), pallet.placements().begin(), pallet.placements().end());
+  return kept;
 }
 
 void StrongestSearch::take(std::vector<Placement> placements, std::int64_t packed) {

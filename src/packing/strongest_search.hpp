@@ -12,7 +12,7 @@
 
 namespace mixed_palletizing::packing {
 
-/// Rounds of the genetic search with a growing population and, where boxes stand on full support without a gap,
+/// Rounds of the genetic search with a growing population and, where no gap is asked for,
 /// of the block search with a growing width.
 class StrongestSearch {
  public:
@@ -32,6 +32,7 @@ class StrongestSearch {
   bool blocksServe() const;
   void geneticRound(int round);
   void blockRound(SpaceOrder space_order, std::size_t width);
+  SequenceResult keepRules(const std::vector<Placement>& placements) const;
   void take(std::vector<Placement> placements, std::int64_t packed);
 
   const Order& order_;

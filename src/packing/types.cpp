@@ -17,8 +17,9 @@ bool fits(const Vec3& size, const Vec3& room) {
   return size.x <= room.x && size.y <= room.y && size.z <= room.z;
 }
 
-void addTypeProblems(const ItemType& type, const std::string& what, const Vec3& pallet,
+void addTypeProblems(const ItemType& type, const std::string& what, const PalletRules& rules,
                      std::vector<std::string>& lines) {
+  const Vec3 pallet = rules.room().size();
   if (type.size.x <= 0 || type.size.y <= 0 || type.size.z <= 0) {
     lines.push_back(what + ".size: " + text(type.size) + ": every side must be positive");
     return;
@@ -33,6 +34,10 @@ void addTypeProblems(const ItemType& type, const std::string& what, const Vec3& 
   if (!std::isfinite(type.weight_kg) || type.weight_kg < 0.0) {
     lines.push_back(what + ".weight_kg: " + std::to_string(type.weight_kg) +
                     ": must be finite and not negative");
+  }
+  if (rules.max_weight_kg > 0.0 && type.weight_kg > rules.max_weight_kg) {
+    lines.push_back(what + ".weight_kg: " + std::to_string(type.weight_kg) + ": the pallet may carry " +
+                    std::to_string(rules.max_weight_kg));
   }
   if (!std::isfinite(type.max_load_kg) || type.max_load_kg < 0.0) {
     lines.push_back(what + ".max_load_kg: " + std::to_string(type.max_load_kg) +
@@ -75,7 +80,22 @@ std::vector<std::string> problems(const PalletRules& rules) {
     lines.push_back("rules.min_support_ratio: " + std::to_string(rules.min_support_ratio) +
                     ": must lie in (0, 1]");
   }
+  if (rules.overhang < 0 || rules.overhang > kMaxPalletLength) {
+    lines.push_back("rules.overhang: " + std::to_string(rules.overhang) + " mm: must lie in 0 .. " +
+                    std::to_string(kMaxPalletLength) + " mm");
+  } else if (rules.overhang > 0 && rules.min_support_ratio == 1.0) {
+    lines.push_back("rules.overhang: " + std::to_string(rules.overhang) +
+                    " mm: contradicts min_support_ratio 1, by which no box may stick out");
+  }
+  if (!std::isfinite(rules.max_weight_kg) || rules.max_weight_kg < 0.0) {
+    lines.push_back("rules.max_weight_kg: " + std::to_string(rules.max_weight_kg) +
+                    ": must be finite and not negative");
+  }
   return lines;
+}
+
+Space PalletRules::room() const {
+  return {{-overhang, -overhang, 0}, {size.x + overhang, size.y + overhang, size.z}};
 }
 
 int Order::itemCount() const { return std::accumulate(counts.begin(), counts.end(), 0); }
@@ -97,7 +117,7 @@ std::vector<std::string> problems(const Order& order) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < order.types.size(); ++i) {
     const std::string what = "types[" + std::to_string(i) + "] '" + order.types[i].name + "'";
-    addTypeProblems(order.types[i], what, order.rules.size, lines);
+    addTypeProblems(order.types[i], what, order.rules, lines);
     if (!order.types[i].name.empty() && !names.insert(order.types[i].name).second) {
       lines.push_back(what + ".name: given twice");
     }

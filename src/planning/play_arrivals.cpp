@@ -37,7 +37,7 @@ void check(const packing::Order& order, const std::vector<int>& arrival, const P
 class Play {
  public:
   Play(const packing::Order& order, const std::vector<int>& arrival, const PlayOptions& options)
-      : order_(order), arrival_(arrival), options_(options), pallet_(order.rules), remaining_(order.counts) {
+      : order_(order), arrival_(arrival), options_(options), pallet_(order), remaining_(order.counts) {
     arrive();
   }
 

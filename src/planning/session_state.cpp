@@ -34,7 +34,7 @@ void SessionState::on(const PalletStarted& event) {
   if (!found.empty()) refuse(found.front());
   open_ = OpenPallet{event.pallet_id,
                      event.order,
-                     packing::PalletState(event.order.rules),
+                     packing::PalletState(event.order),
                      event.order.counts,
                      std::vector<int>(event.order.counts.size(), 0),
                      {},

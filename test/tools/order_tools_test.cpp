@@ -126,7 +126,16 @@ TEST_F(OrderTools, AnOrderTableIsPackedOnSeveralPallets) {
   expectOneClearLine(PACK_TOOL, csv + " --time_limit_s 0 --out " + path("r.jsonl"), "max_evaluations");
   expectOneClearLine(PACK_TOOL, csv + " --max_pallets -1 --out " + path("r.jsonl"), "max_pallets");
   expectOneClearLine(PACK_TOOL, "--instances " + path("o.csv") + " --rotations any --out " + path("r.jsonl"),
-                     "--rotations: goes with --format csv only");
+                     "--rotations: --format jsonl says it itself");
+  const std::string rules = csv + " --min_support_ratio 0.7 --overhang_mm 20 --gap_mm 5 --max_weight_kg 90";
+  for (const std::string more :
+       {" --method dblf", " --method best --time_limit_s 0.3", " --method dblf --spaces empty"}) {
+    ASSERT_EQ(run(PACK_TOOL, rules + more + " --out " + path("r.jsonl")), 0) << read("err.txt");
+    EXPECT_EQ(run(CHECK_PACKING_TOOL, rules + " --results " + path("r.jsonl")), 0) << read("out.txt");
+    EXPECT_EQ(run(CHECK_PACKING_TOOL, csv + " --results " + path("r.jsonl")), 1) << "rules were used";
+  }
+  expectOneClearLine(PACK_TOOL, csv + " --overhang_mm 20 --out " + path("r.jsonl"),
+                     "contradicts min_support_ratio 1");
   write("bad.csv", read("o.csv") + "9,d,1,nan,1,1,1\n");
   const std::string bad =
       "--instances " + path("bad.csv") + " --format csv --method dblf --out " + path("r.jsonl");

@@ -25,10 +25,16 @@ class OrderFileOptions {
   instances::OrderFormat format() const { return *instances::orderFormatFromString(format_); }
 
  private:
+  void refuseWhatTheFormatSays() const;
+
   std::string path_;
   std::string format_ = "jsonl";
   std::vector<int> pallet_mm_{1200, 800, 1400};
   std::string rotations_ = "yaw";
+  double min_support_ratio_ = 1.0;
+  double max_weight_kg_ = 0.0;
+  int gap_mm_ = 0;
+  int overhang_mm_ = 0;
   const CommandLine* line_ = nullptr;
 };
 

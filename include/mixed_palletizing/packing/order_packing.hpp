@@ -30,8 +30,9 @@ bool needsBudget(PackMethod method);
 
 struct PackOptions {
   PackMethod method = PackMethod::kBest;
-  GeneticOptions genetic{30, 2, 10};  ///< of kGa: the thesis' packing experiment (4.2)
-  std::uint64_t seed = 1;             ///< of every random choice; replaces genetic.seed
+  GeneticOptions genetic{30, 2, 10};         ///< of kGa: the thesis' packing experiment (4.2)
+  std::uint64_t seed = 1;                    ///< of every random choice; replaces genetic.seed
+  SpaceKind spaces = SpaceKind::kSupported;  ///< that offer places; all rules hold in both
 };
 
 std::vector<std::string> problems(const PackOptions& options);

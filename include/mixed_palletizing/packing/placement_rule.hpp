@@ -31,7 +31,7 @@ std::optional<Placement> findPlacement(const PalletState& state, const std::vect
                                        int type_index, PlacementRule rule);
 
 /// Every placement of the item at the corner of a supported space nearest to the pallet's origin, each once.
-/// With a support ratio below 1 also flush with the edges of the tops below, as far as the rules allow.
+/// Where the state has no fullSupport() also flush with the edges of the tops below, as far as the rules allow.
 std::vector<Placement> cornerPlacements(const PalletState& state, const ItemType& type, int type_index);
 
 /// What is still to be placed, as far as the thesis' pruning rules (3.3.1) need it: the smallest volume, the

@@ -37,7 +37,7 @@ struct ItemType {
   Vec3 size;  ///< as given by the order [mm]
   Rotations rotations;
   double weight_kg = 0.0;    ///< 0 = not known
-  double max_load_kg = 0.0;  ///< on its top; 0 = no limit
+  double max_load_kg = 0.0;  ///< on its top (LoadBook says how it is counted); 0 = no limit
 };
 
 /// The distinct sizes in which a type may be placed, the given orientation first when it is allowed. Without
@@ -46,6 +46,15 @@ std::vector<Vec3> orientations(const ItemType& type);
 
 constexpr int kMaxPalletLength = 20000;  ///< [mm] longest side of a packing volume: a container's
 constexpr int kMaxItems = 100000;        ///< in one order
+
+/// Cuboid of free room [min, max) in the pallet frame [mm].
+struct Space {
+  Vec3 min;
+  Vec3 max;
+
+  Vec3 size() const { return {max.x - min.x, max.y - min.y, max.z - min.z}; }
+  friend bool operator==(const Space& a, const Space& b) { return a.min == b.min && a.max == b.max; }
+};
 
 /// Rules of a pallet.
 struct PalletRules {
@@ -59,6 +68,15 @@ struct PalletRules {
   /// gap is not supported: with a gap, boxes that bridge two others need a ratio below 1. Below 1 the centre
   /// of the base must lie over the support, inside the convex hull of the contact area.
   double min_support_ratio = 1.0;
+
+  /// How far boxes may stick out beyond the pallet's four sides [mm]. Only the pallet supports what stands at
+  /// its height, so an overhang needs a support ratio below 1.
+  int overhang = 0;
+
+  double max_weight_kg = 0.0;  ///< of all boxes together; 0 = no limit
+
+  /// The packing volume with the overhang.
+  Space room() const;
 };
 
 /// Every broken rule as one line; empty when a pallet can be made by them.
@@ -86,15 +104,6 @@ struct Placement {
   friend bool operator==(const Placement& a, const Placement& b) {
     return a.type == b.type && a.origin == b.origin && a.size == b.size;
   }
-};
-
-/// Cuboid of free room [min, max) in the pallet frame [mm].
-struct Space {
-  Vec3 min;
-  Vec3 max;
-
-  Vec3 size() const { return {max.x - min.x, max.y - min.y, max.z - min.z}; }
-  friend bool operator==(const Space& a, const Space& b) { return a.min == b.min && a.max == b.max; }
 };
 
 }  // namespace mixed_palletizing::packing

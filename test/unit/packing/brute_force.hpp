@@ -42,7 +42,7 @@ inline bool strictlyInHull(const Point& p, std::vector<Point> points) {
 class VoxelPallet {
  public:
   VoxelPallet(const PalletRules& rules, const std::vector<Placement>& placements) : rules_(rules) {
-    const Vec3& s = rules.size;
+    const Vec3 s = rules.room().size();
     voxels_.assign(static_cast<std::size_t>(s.x * s.y * s.z), -1);
     for (std::size_t i = 0; i < placements.size(); ++i) {
       const Placement& p = placements[i];
@@ -58,12 +58,14 @@ class VoxelPallet {
   }
 
   bool overlap() const { return overlap_; }
+  bool empty(int x, int y, int z) const { return at(x, y, z) < 0; }
 
   /// Everything from z upwards is empty, in the cell and within the gap around it.
   bool freeAbove(int x, int y, int z) const {
     const int g = rules_.gap;
-    for (int v = std::max(0, y - g); v <= std::min(rules_.size.y - 1, y + g); ++v) {
-      for (int u = std::max(0, x - g); u <= std::min(rules_.size.x - 1, x + g); ++u) {
+    const Space room = rules_.room();
+    for (int v = std::max(room.min.y, y - g); v <= std::min(room.max.y - 1, y + g); ++v) {
+      for (int u = std::max(room.min.x, x - g); u <= std::min(room.max.x - 1, x + g); ++u) {
         for (int w = z; w < rules_.size.z; ++w) {
           if (at(u, v, w) >= 0) return false;
         }
@@ -74,14 +76,16 @@ class VoxelPallet {
 
   /// Something ends exactly below the cell.
   bool supported(int x, int y, int z) const {
-    return z == 0 || (at(x, y, z - 1) >= 0 && (z == rules_.size.z || at(x, y, z) != at(x, y, z - 1)));
+    if (z == 0) return x >= 0 && y >= 0 && x < rules_.size.x && y < rules_.size.y;
+    return (at(x, y, z - 1) >= 0 && (z == rules_.size.z || at(x, y, z) != at(x, y, z - 1)));
   }
 
   /// The rules of a placement by counting voxels.
   bool accepts(const Placement& p) const {
-    const Vec3& s = rules_.size;
-    if (p.origin.x < 0 || p.origin.y < 0 || p.origin.z < 0 || p.origin.x + p.size.x > s.x ||
-        p.origin.y + p.size.y > s.y || p.origin.z + p.size.z > s.z) {
+    const Space room = rules_.room();
+    if (p.origin.x < room.min.x || p.origin.y < room.min.y || p.origin.z < 0 ||
+        p.origin.x + p.size.x > room.max.x || p.origin.y + p.size.y > room.max.y ||
+        p.origin.z + p.size.z > room.max.z) {
       return false;
     }
     int carried = 0;
@@ -116,7 +120,8 @@ class VoxelPallet {
 
  private:
   std::size_t index(int x, int y, int z) const {
-    return static_cast<std::size_t>((z * rules_.size.y + y) * rules_.size.x + x);
+    const Vec3 s = rules_.room().size();
+    return static_cast<std::size_t>((z * s.y + y + rules_.overhang) * s.x + x + rules_.overhang);
   }
   int at(int x, int y, int z) const { return voxels_[index(x, y, z)]; }
 
@@ -135,6 +140,36 @@ inline bool allSet(const std::vector<std::vector<char>>& cells, int x0, int y0, 
     }
   }
   return true;
+}
+
+/// All maximal empty cuboids, by their definition.
+inline std::set<std::tuple<int, int, int, int, int, int>> bruteForceEmptySpaces(const PalletRules& rules,
+                                                                                const VoxelPallet& voxels) {
+  std::set<std::tuple<int, int, int, int, int, int>> spaces;
+  const Vec3& s = rules.size;
+  const auto empty = [&](int x0, int y0, int z0, int x1, int y1, int z1) {
+    if (x0 < 0 || y0 < 0 || z0 < 0 || x1 > s.x || y1 > s.y || z1 > s.z) return false;
+    for (int z = z0; z < z1; ++z) {
+      for (int y = y0; y < y1; ++y) {
+        for (int x = x0; x < x1; ++x) {
+          if (!voxels.empty(x, y, z)) return false;
+        }
+      }
+    }
+    return true;
+  };
+  for (int z0 = 0; z0 < s.z; ++z0)
+    for (int y0 = 0; y0 < s.y; ++y0)
+      for (int x0 = 0; x0 < s.x; ++x0)
+        for (int x1 = x0 + 1; x1 <= s.x && empty(x0, y0, z0, x1, y0 + 1, z0 + 1); ++x1)
+          for (int y1 = y0 + 1; y1 <= s.y && empty(x0, y1 - 1, z0, x1, y1, z0 + 1); ++y1)
+            for (int z1 = z0 + 1; z1 <= s.z && empty(x0, y0, z1 - 1, x1, y1, z1); ++z1) {
+              const bool grows = empty(x0 - 1, y0, z0, x0, y1, z1) || empty(x1, y0, z0, x1 + 1, y1, z1) ||
+                                 empty(x0, y0 - 1, z0, x1, y0, z1) || empty(x0, y1, z0, x1, y1 + 1, z1) ||
+                                 empty(x0, y0, z0 - 1, x1, y1, z0) || empty(x0, y0, z1, x1, y1, z1 + 1);
+              if (!grows) spaces.insert({x0, y0, z0, x1, y1, z1});
+            }
+  return spaces;
 }
 
 /// A full rectangle of cells that can grow to no side.

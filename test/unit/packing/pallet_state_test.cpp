@@ -1,3 +1,4 @@
+#include <iostream>
 #include <limits>
 #include <random>
 #include <set>
@@ -6,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <mixed_palletizing/packing/pallet_state.hpp>
+#include <mixed_palletizing/packing/placement_rule.hpp>
 
 #include "brute_force.hpp"
 #include "random_play.hpp"
@@ -47,17 +49,50 @@ int playAgainstDefinition(const PalletRules& rules, std::mt19937_64& rng) {
   return placed;
 }
 
-TEST(PalletState, spacesAreThoseOfTheDefinitionOverAMillionPlacements) {
+TEST(PalletState, spacesAreThoseOfTheDefinition) {
   for (const int gap : {0, 1, 2}) {
     const unsigned seed = 11 + static_cast<unsigned>(gap);
     std::mt19937_64 rng(seed);
-    const int wanted = gap == 0 ? 1000000 : 100000;
-    for (int game = 0, placed = 0; placed < wanted; ++game) {
+    const int wanted = gap == 0 ? test::proofPlacements() : test::proofPlacements() / 10;
+    int placed = 0;
+    for (int game = 0; placed < wanted; ++game) {
       const PalletRules rules{{draw(rng, 3, 9), draw(rng, 3, 8), draw(rng, 2, 7)}, gap, 1.0};
       placed += playAgainstDefinition(rules, rng);
       ASSERT_FALSE(HasFailure()) << "gap " << gap << ", game " << game << ", seed " << seed;
     }
+    std::cout << "supported spaces, gap " << gap << ": " << placed
+              << " placements agree with the definition\n";
   }
+}
+
+/// The same for empty maximal spaces: on small grids, as the definition is slow.
+TEST(PalletState, emptySpacesAreThoseOfTheDefinition) {
+  std::mt19937_64 rng(17);
+  int placed = 0;
+  for (int game = 0; placed < test::proofPlacements() / 10; ++game) {
+    Order order;
+    order.rules = {{draw(rng, 3, 6), draw(rng, 3, 5), draw(rng, 2, 5)}, 0, rng() % 2 == 0 ? 1.0 : 0.5};
+    PalletState state(order, SpaceKind::kEmpty);
+    std::vector<std::vector<Space>> history;
+    for (int step = 0; step < 40 && !state.spaces().empty(); ++step) {
+      if (!history.empty() && rng() % 4 == 0) {
+        EXPECT_TRUE(state.undo());
+        EXPECT_TRUE(state.spaces() == history.back()) << "undo restores the spaces exactly";
+        history.pop_back();
+        continue;
+      }
+      const Placement p = test::randomPlacement(state, rng, 3);
+      if (!state.accepts(p)) continue;
+      history.push_back(state.spaces());
+      state.place(p);
+      ++placed;
+      EXPECT_EQ(asSet(state.spaces()).size(), state.spaces().size()) << "a space is listed twice";
+      EXPECT_EQ(asSet(state.spaces()),
+                test::bruteForceEmptySpaces(order.rules, VoxelPallet(order.rules, state.placements())));
+    }
+    ASSERT_FALSE(HasFailure()) << "seed 17, game " << game;
+  }
+  std::cout << "empty spaces: " << placed << " placements agree with the definition\n";
 }
 
 /// Compares whyNot(), accepts() and the voxels for one size at every position.
@@ -65,8 +100,8 @@ void compareEverywhere(const PalletState& state, const Vec3& size) {
   const VoxelPallet voxels(state.rules(), state.placements());
   const Vec3 pallet = state.rules().size;
   for (int z = 0; z < pallet.z; ++z) {
-    for (int y = -1; y < pallet.y; ++y) {
-      for (int x = -1; x < pallet.x; ++x) {
+    for (int y = -3; y < pallet.y + 2; ++y) {
+      for (int x = -3; x < pallet.x + 2; ++x) {
         const Placement p{0, {x, y, z}, size};
         const std::string reason = state.whyNot(p);
         ASSERT_EQ(reason.empty(), voxels.accepts(p)) << x << " " << y << " " << z << ": " << reason;
@@ -80,8 +115,9 @@ TEST(PalletState, whyNotAndSpacesAgreeWithCountedVoxels) {
   std::mt19937_64 rng(21);
   for (int round = 0; round < 4000; ++round) {
     const double ratios[] = {1.0, 1.0, 0.9, 0.75, 0.5, 0.3};
-    const PalletRules rules{
+    PalletRules rules{
         {draw(rng, 3, 8), draw(rng, 3, 8), draw(rng, 2, 6)}, draw(rng, 0, 2), ratios[rng() % 6]};
+    if (rules.min_support_ratio < 1.0) rules.overhang = draw(rng, 0, 2);
     const PalletState state = test::randomPallet(rules, rng, draw(rng, 0, 12), 4);
     compareEverywhere(state, {draw(rng, 1, 4), draw(rng, 1, 4), draw(rng, 1, 3)});
     ASSERT_FALSE(HasFailure()) << "seed 21, round " << round;
@@ -92,7 +128,8 @@ TEST(PalletState, whyNotAndSpacesAgreeWithCountedVoxels) {
 TEST(PalletState, spacesOfPartialSupportHoldEveryValidBox) {
   std::mt19937_64 rng(31);
   for (int round = 0; round < 3000; ++round) {
-    const PalletRules rules{{draw(rng, 3, 8), draw(rng, 3, 8), draw(rng, 2, 6)}, draw(rng, 0, 1), 0.6};
+    const PalletRules rules{
+        {draw(rng, 3, 8), draw(rng, 3, 8), draw(rng, 2, 6)}, draw(rng, 0, 1), 0.6, draw(rng, 0, 2)};
     PalletState state = test::randomPallet(rules, rng, draw(rng, 1, 10), 4);
     PalletState again(rules);
     for (const Placement& p : state.placements()) again.place(p);
@@ -101,7 +138,7 @@ TEST(PalletState, spacesOfPartialSupportHoldEveryValidBox) {
     for (int tries = 0; tries < 30; ++tries) {
       const Vec3 size{draw(rng, 1, 4), draw(rng, 1, 4), draw(rng, 1, 3)};
       const Placement p{
-          0, {draw(rng, 0, rules.size.x), draw(rng, 0, rules.size.y), draw(rng, 0, rules.size.z)}, size};
+          0, {draw(rng, -2, rules.size.x), draw(rng, -2, rules.size.y), draw(rng, 0, rules.size.z)}, size};
       if (!state.accepts(p)) continue;
       const bool held = std::any_of(before.begin(), before.end(), [&](const Space& s) {
         return s.min.z == p.origin.z && s.min.x <= p.origin.x && s.min.y <= p.origin.y &&
@@ -140,6 +177,33 @@ TEST(PalletState, partialSupportNeedsTheCentreOverTheSupport) {
   EXPECT_EQ(state.whyNot({0, {0, 0, 100}, {1000, 300, 100}}), "") << "a bridge rests on both ends";
   state.place({0, {0, 0, 100}, {1000, 300, 100}});
   EXPECT_NE(state.whyNot({0, {400, 0, 0}, {100, 100, 100}}).find("lowered"), std::string::npos);
+}
+
+TEST(PalletState, tellsTheLoadByTheAreasOfContact) {
+  Order order;
+  order.rules = {{1000, 600, 500}, 0, 0.5, 50, 40.0};
+  order.types = {{"A", {200, 200, 100}, {}, 10.0, 6.0},
+                 {"B", {400, 200, 100}, {}, 8.0},
+                 {"C", {100, 100, 100}, {}, 5.0}};
+  PalletState state(order);
+  state.place({0, {0, 0, 0}, {200, 200, 100}});
+  state.place({0, {200, 0, 0}, {200, 200, 100}});
+  state.place({1, {100, 0, 100}, {400, 200, 100}});
+  EXPECT_DOUBLE_EQ(state.loads()[0], 8.0 / 3.0) << "100 of 300 mm rest on it";
+  EXPECT_DOUBLE_EQ(state.loads()[1], 16.0 / 3.0);
+  EXPECT_NE(state.whyNot({2, {300, 0, 200}, {100, 100, 100}}).find("would carry"), std::string::npos);
+  EXPECT_FALSE(state.accepts({2, {300, 0, 200}, {100, 100, 100}})) << "handed down to the right one";
+  EXPECT_TRUE(state.undo());
+  EXPECT_DOUBLE_EQ(state.loads()[1], 0.0);
+  state.place({2, {0, 0, 100}, {100, 100, 100}});
+  EXPECT_DOUBLE_EQ(state.loads()[0], 5.0);
+  EXPECT_EQ(state.whyNot({2, {-40, 300, 0}, {100, 100, 100}}), "") << "40 mm over the side";
+  EXPECT_NE(state.whyNot({2, {-60, 300, 0}, {100, 100, 100}}).find("by more than 50 mm"), std::string::npos);
+  state.place({1, {400, 300, 0}, {400, 200, 100}});
+  EXPECT_NE(state.whyNot({0, {0, 300, 0}, {200, 200, 100}}).find("43.0"), std::string::npos)
+      << "too heavy in all";
+  EXPECT_FALSE(state.carriesWeightOf(0));
+  EXPECT_TRUE(cornerPlacements(state, order.types[0], 0).empty());
 }
 
 TEST(PalletState, saysWhyABoxIsRefused) {
