@@ -11,7 +11,7 @@ case ${1:-} in
   *) die "unknown argument '$1'; usage: scripts/test.sh [--fast]" ;;
 esac
 
-install_packages build test screenshot
+install_packages build test screenshot experiments
 if [ -z "${MIXED_PALLETIZING_DATA:-}" ] && [ -d "$root/../shared/data" ]; then
   MIXED_PALLETIZING_DATA=$(cd "$root/../shared/data" && pwd -P)
 fi

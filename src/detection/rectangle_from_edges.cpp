@@ -18,41 +18,10 @@ constexpr double kSideTolerance = 0.26;
 
 double directionOf(const Edge& edge) { return std::atan2(edge.along().y(), edge.along().x()); }
 
-using Sides = std::array<std::optional<Edge>, 4>;
-
-/// The longest edge of each side; side 0 is the longest of all. The hull runs counter-clockwise, so side i
-/// points i quarter turns further.
-Sides pickSides(const std::vector<Edge>& edges) {
-  const auto longest = std::max_element(edges.begin(), edges.end(),
-                                        [](const Edge& a, const Edge& b) { return a.length() < b.length(); });
-  const double reference = directionOf(*longest);
-  Sides sides;
-  for (const Edge& edge : edges) {
-    const double turn = directionOf(edge) - reference;
-    if (std::abs(geometry::foldQuarterTurn(turn)) > kSideTolerance) continue;
-    const long quarter = std::lround(turn / (M_PI / 2));
-    std::optional<Edge>& side = sides[static_cast<std::size_t>(((quarter % 4) + 4) % 4)];
-    if (!side || side->length() < edge.length()) side = edge;
-  }
-  return sides;
-}
-
-/// Median of the sides' directions, each turned back by its quarter turns.
-double medianYaw(const Sides& sides) {
-  const double reference = directionOf(*sides[0]);
-  std::vector<double> turns;
-  for (const auto& side : sides) {
-    if (side) turns.push_back(geometry::foldQuarterTurn(directionOf(*side) - reference));
-  }
-  std::sort(turns.begin(), turns.end());
-  const std::size_t half = turns.size() / 2;
-  return reference + (turns.size() % 2 == 1 ? turns[half] : 0.5 * (turns[half - 1] + turns[half]));
-}
-
 Line2d lineOf(const Edge& edge) { return Line2d::through(edge.from, edge.to); }
 
 /// Centre by the mean lines of opposite edges, sizes by eq. 4.1 and 4.2.
-std::optional<Rectangle> fromFourSides(const Sides& sides, double yaw_rad) {
+std::optional<Rectangle> fromFourSides(const EdgeSides& sides, double yaw_rad) {
   Rectangle rectangle;
   rectangle.yaw_rad = yaw_rad;
   const auto center = intersection(meanLine(lineOf(*sides[0]), lineOf(*sides[2])),
@@ -71,7 +40,7 @@ std::optional<Rectangle> fromFourSides(const Sides& sides, double yaw_rad) {
 }
 
 /// Found sides where their edges lie, the others where the hull ends.
-Rectangle fromSomeSides(const Sides& sides, const geometry::Polygon& hull, double yaw_rad) {
+Rectangle fromSomeSides(const EdgeSides& sides, const geometry::Polygon& hull, double yaw_rad) {
   Rectangle rectangle;
   rectangle.yaw_rad = yaw_rad;
   const std::array<Eigen::Vector2d, 4> outward{-rectangle.axisY(), rectangle.axisX(), rectangle.axisY(),
@@ -93,13 +62,39 @@ Rectangle fromSomeSides(const Sides& sides, const geometry::Polygon& hull, doubl
 
 }  // namespace
 
+EdgeSides pickSides(const std::vector<Edge>& edges) {
+  const auto longest = std::max_element(edges.begin(), edges.end(),
+                                        [](const Edge& a, const Edge& b) { return a.length() < b.length(); });
+  const double reference = directionOf(*longest);
+  EdgeSides sides;
+  for (const Edge& edge : edges) {
+    const double turn = directionOf(edge) - reference;
+    if (std::abs(geometry::foldQuarterTurn(turn)) > kSideTolerance) continue;
+    const long quarter = std::lround(turn / (M_PI / 2));
+    std::optional<Edge>& side = sides[static_cast<std::size_t>(((quarter % 4) + 4) % 4)];
+    if (!side || side->length() < edge.length()) side = edge;
+  }
+  return sides;
+}
+
+double medianYaw(const EdgeSides& sides) {
+  const double reference = directionOf(*sides[0]);
+  std::vector<double> turns;
+  for (const auto& side : sides) {
+    if (side) turns.push_back(geometry::foldQuarterTurn(directionOf(*side) - reference));
+  }
+  std::sort(turns.begin(), turns.end());
+  const std::size_t half = turns.size() / 2;
+  return reference + (turns.size() % 2 == 1 ? turns[half] : 0.5 * (turns[half - 1] + turns[half]));
+}
+
 EdgeRectangle rectangleFromEdges(const geometry::Polygon& hull, const std::vector<Edge>& edges) {
   EdgeRectangle result;
   if (edges.empty()) {
     result.rectangle = geometry::minimumAreaRectangle(hull);
     return result;
   }
-  const Sides sides = pickSides(edges);
+  const EdgeSides sides = pickSides(edges);
   for (std::size_t i = 0; i < 4; ++i) result.side_found[i] = sides[i].has_value();
   const double yaw = medianYaw(sides);
   if (std::all_of(result.side_found.begin(), result.side_found.end(), [](bool found) { return found; })) {

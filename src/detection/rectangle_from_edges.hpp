@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include <mixed_palletizing/geometry/polygon.hpp>
@@ -17,6 +18,15 @@ struct EdgeRectangle {
   geometry::Rectangle rectangle;
   std::array<bool, 4> side_found{};
 };
+
+/// The edge of each side of a top, as far as it has one; side i points i quarter turns further than side 0.
+using EdgeSides = std::array<std::optional<Edge>, 4>;
+
+/// The longest edge of each side; side 0 is the longest of all. `edges` run counter-clockwise and are not empty.
+EdgeSides pickSides(const std::vector<Edge>& edges);
+
+/// Median [rad] of the sides' directions, each turned back by its quarter turns. Side 0 has an edge.
+double medianYaw(const EdgeSides& sides);
 
 /// Rectangle of a counter-clockwise hull and its edges. Edges are paired by their direction against the longest
 /// one; of several on one side the longest counts. The yaw is the median of the edges' directions folded by

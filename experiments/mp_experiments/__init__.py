@@ -1,0 +1,1 @@
+"""Reports of the experiments: the C++ tools measure, these modules tabulate and draw."""

@@ -1,0 +1,70 @@
+"""Command line of run_experiments."""
+import argparse
+import pathlib
+import sys
+
+from .errors import ExperimentError
+
+DESCRIPTION = """Runs experiments and writes them as reports: one HTML file each, readable without a network, with the
+records beside it."""
+
+
+def _count(text):
+    value = int(text)
+    if value < 1:
+        raise argparse.ArgumentTypeError(f'{value} is less than 1')
+    return value
+
+
+def _parser():
+    parser = argparse.ArgumentParser(prog='run_experiments', description=DESCRIPTION)
+    parser.add_argument('experiment', choices=('detection',), help='what to measure')
+    parser.add_argument('--thesis', action='store_true',
+                        help="detection: the experiments of the source thesis' chapter 4.1 instead of the table")
+    parser.add_argument('--out', required=True, metavar='DIR', help='folder for report and records, made when missing')
+    parser.add_argument('--count', type=_count, help='scenes a row (default: 50, or as many as the thesis has)')
+    parser.add_argument('--quick', action='store_true', help='few scenes: a look at the report in minutes')
+    parser.add_argument('--only', metavar='RECIPE', action='append',
+                        help='detection: this row of the table alone (more than one: repeat the option)')
+    parser.add_argument('--seed', type=int, default=1, help='of all scenes (default: 1)')
+    parser.add_argument('--threads', type=_count, default=1, help='scenes side by side; times are clean with 1')
+    parser.add_argument('--quiet', action='store_true', help='no progress on stderr')
+    return parser
+
+
+def _folder(path):
+    out = pathlib.Path(path)
+    try:
+        (out / 'data').mkdir(parents=True, exist_ok=True)
+        probe = out / 'data' / '.probe'
+        probe.write_text('', encoding='utf-8')
+        probe.unlink()
+    except OSError as error:
+        raise ExperimentError(f'{path}: cannot be written: {error.strerror}')
+    return out
+
+
+def _run(options, script_folder):
+    out = _folder(options.out)
+    # Here and not above: --help and a wrong command line need no matplotlib.
+    from . import detection_report, measurements, thesis_report, tools as tools_module
+    tools = tools_module.Tools(script_folder, options.quiet)
+    measurer = measurements.Measurer(tools, out / 'data', options.seed, options.threads)
+    make = thesis_report.make if options.thesis else detection_report.make
+    return make(tools, measurer, options, out)
+
+
+def main(arguments, script_folder):
+    options = _parser().parse_args(arguments)
+    try:
+        print(_run(options, script_folder))
+    except ExperimentError as error:
+        print(f'run_experiments: {error}', file=sys.stderr)
+        return 1
+    except OSError as error:
+        print(f'run_experiments: {error.filename or options.out}: {error.strerror}', file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print('run_experiments: interrupted', file=sys.stderr)
+        return 130
+    return 0

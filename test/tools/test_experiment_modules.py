@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+"""Tests of the modules behind run_experiments that need no tool of the package."""
+import math
+import pathlib
+import re
+import sys
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(ROOT / 'experiments'))
+
+from mp_experiments import detection_rows, errors, page, plots, statistics, thesis_tables, tools  # noqa: E402
+
+
+def summary(**changes):
+    figures = {'count': 10, 'mean': 0.1, 'rms': 0.1}
+    good = {'recall': 1.0, 'precision': 1.0, 'position_mm': figures, 'yaw_deg': dict(figures, mean=0.01),
+            'side_mm': figures, 'height_mm': dict(figures, mean=0.01), 'truncated_flagged': 3, 'truncated_found': 3,
+            'sizes_beyond_stddev': 0}
+    good.update(changes)
+    return good
+
+
+class Statistics(unittest.TestCase):
+    def test_known_numbers(self):
+        values = [3.0, -1.0, 1.0, -3.0]
+        self.assertEqual(statistics.mean(values), 0.0)
+        self.assertAlmostEqual(statistics.rms(values), math.sqrt(5.0))
+        self.assertAlmostEqual(statistics.stddev([2.0, 4.0]), 1.0)
+        self.assertEqual(statistics.quantile(range(1, 101), 0.95), 95)
+
+    def test_nothing_is_a_dash(self):
+        self.assertEqual(statistics.number(statistics.mean([])), '–')
+        self.assertEqual(statistics.number(statistics.quantile([], 0.5)), '–')
+        self.assertEqual(statistics.number(None), '–')
+
+    def test_error_rows_hold_mean_rms_and_deviation(self):
+        rows = thesis_tables.error_rows([[1.0, 3.0]], 'ours')
+        self.assertEqual([row[2] for row in rows], ['2.00', '2.24', '1.00'])
+
+
+class Rows(unittest.TestCase):
+    def test_every_row_has_a_recipe_and_limits(self):
+        for row in detection_rows.ROWS:
+            self.assertTrue(tools.recipe(row.recipe).is_file())
+            self.assertNotEqual(bool(row.limits), row.truncated, row.recipe)
+
+    def test_limits_are_kept_or_broken(self):
+        row = detection_rows.ROWS[0]
+        self.assertTrue(all(detection_rows.holds(row, summary(), limit) for limit in row.limits))
+        self.assertFalse(detection_rows.holds(row, summary(recall=0.99), 'recall'))
+        wide = summary(position_mm={'count': 10, 'mean': 0.4, 'rms': 0.5})
+        self.assertFalse(detection_rows.holds(row, wide, 'position'))
+        self.assertTrue(detection_rows.holds(row, wide, 'position', margin=1.5))
+        self.assertFalse(detection_rows.holds(row, summary(yaw_deg={'count': 0, 'mean': 0.0, 'rms': 0.0}), 'yaw'))
+
+    def test_truncated_rows_are_judged_by_flags_and_sizes(self):
+        self.assertTrue(detection_rows.truncated_holds(summary()))
+        self.assertFalse(detection_rows.truncated_holds(summary(truncated_flagged=2)))
+        self.assertFalse(detection_rows.truncated_holds(summary(sizes_beyond_stddev=1)))
+
+    def test_a_missing_recipe_is_named(self):
+        with self.assertRaisesRegex(errors.ExperimentError, 'nowhere.yaml is missing'):
+            tools.recipe('nowhere')
+
+
+class Html(unittest.TestCase):
+    def test_the_page_needs_nothing_else(self):
+        made = page.Page('A <title>')
+        made.heading('Heading & more')
+        made.table(['a', 'b'], [['x', page.Cell('1.0', 'good')], page.Row(['y', 2], 'group')], 'caption')
+        made.figure(plots.histograms([('t', 'mm', [('ours', [0.1, 0.2, 0.2], plots.OURS)])]), 'figure')
+        made.code(['rosrun a b --c <d>'])
+        text = made.render()
+        self.assertIn('A &lt;title&gt;', text)
+        self.assertIn('<td class="good">1.0</td>', text)
+        self.assertIn('data:image/png;base64,', text)
+        self.assertEqual(re.findall(r'(?:src|href)="(?!data:)', text), [])
+        self.assertNotIn('http', text)
+
+    def test_no_values_no_picture(self):
+        self.assertIsNone(plots.histograms([('t', 'mm', [('ours', [], plots.OURS)])]))
+
+    def test_equal_values_make_a_picture(self):
+        self.assertTrue(plots.histograms([('t', 'mm', [('ours', [1.0, 1.0], plots.OURS)])]).startswith(b'\x89PNG'))
+
+
+class Runner(unittest.TestCase):
+    def test_a_missing_tool_is_named(self):
+        with self.assertRaisesRegex(errors.ExperimentError, 'no_such_tool not found'):
+            tools.Tools(ROOT, quiet=True).run('no_such_tool', [])
+
+    def test_a_failing_tool_gives_its_last_line(self):
+        runner = tools.Tools(ROOT, quiet=True)
+        with self.assertRaisesRegex(errors.ExperimentError, 'ls failed: .*nowhere'):
+            runner.run('ls', ['/nowhere'])
+        self.assertEqual(runner.commands, [])
+
+
+if __name__ == '__main__':
+    unittest.main()
