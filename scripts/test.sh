@@ -58,6 +58,8 @@ check layers "$root/scripts/check_layers.py"
 check layer_check_itself /usr/bin/python3 "$root/test/tools/test_check_layers.py"
 check show_report /usr/bin/python3 "$root/test/tools/test_show_report.py"
 check docs /usr/bin/python3 "$root/test/tools/test_docs.py"
+check experiment_modules /usr/bin/python3 "$root/test/tools/test_experiment_modules.py"
+check run_experiments /usr/bin/python3 "$root/test/tools/test_run_experiments.py"
 check clang_format formatted
 check catkin_lint linted
 

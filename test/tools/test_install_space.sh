@@ -25,6 +25,8 @@ import json, sys
 boxes = json.load(open(sys.argv[1]))['boxes']
 assert len(boxes) == 3, f'{len(boxes)} boxes of 3'
 PY
+rosrun mixed_palletizing run_experiments detection --quiet --count 1 --only truncated --out "$scratch/report"
+[ -s "$scratch/report/detection.html" ] || die "run_experiments wrote no report"
 library=$(sed -n 's/.*library path="\([^"]*\)".*/\1/p' "$share/nodelet_plugins.xml")
 [ -f "$workspace/install/$library.so" ] || die "the nodelet's library $library.so is not installed"
 ! ldd "$workspace/install/$library.so" | grep 'not found' || die "the nodelet's library misses others"

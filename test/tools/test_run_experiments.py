@@ -56,7 +56,7 @@ class RunExperiments(unittest.TestCase):
     def test_mistakes_are_named_in_one_line(self):
         self.one_line(run('detection', '--out', '/dev/null/x'), '/dev/null/x: cannot be written')
         self.one_line(run('detection', '--out', self.out, '--only', 'nothing'), '--only nothing: the rows are')
-        self.one_line(run('detection', '--out', self.out, CMAKE_PREFIX_PATH='', PATH='/nowhere'),
+        self.one_line(run('detection', '--quiet', '--out', self.out, CMAKE_PREFIX_PATH='', PATH='/nowhere'),
                       'tool measure_detection not found')
         broken = self.out.parent.parent / 'matplotlib'
         broken.mkdir()
