@@ -1,4 +1,5 @@
 #include <cmath>
+#include <exception>
 
 #include <mixed_palletizing/adapters/option_reader.hpp>
 #include <mixed_palletizing/adapters/planner_options.hpp>
@@ -21,14 +22,20 @@ void readGenetic(OptionReader reader, packing::GeneticOptions& options) {
   reader.read("seed", options.seed);
 }
 
-/// The methods this planner has.
-std::vector<std::pair<std::string, planning::PlanMethod>> methodWords() {
-  std::vector<std::pair<std::string, planning::PlanMethod>> words;
-  for (const char* word : {"dblf", "ga", "best"}) {
-    const auto method = planning::planMethodFromString(word);
-    if (method) words.emplace_back(word, *method);
+/// `policy` is a file of weights; empty = the built-in ones.
+void readBest(OptionReader reader, planning::BestOptions& options, std::vector<std::string>& wrong) {
+  std::string policy;
+  reader.read("candidates", options.candidates);
+  reader.read("samples", options.samples);
+  reader.read("threads", options.threads);
+  reader.read("seed", options.seed);
+  reader.read("policy", policy);
+  if (policy.empty()) return;
+  try {
+    options.weights = planning::readPolicyWeights(policy);
+  } catch (const std::exception& error) {
+    wrong.push_back(std::string("planner.best.policy: ") + error.what());
   }
-  return words;
 }
 
 /// The broken rules of a nested struct, named by where it stands.
@@ -75,15 +82,21 @@ PickPlannerOptions readPickPlannerOptions(const YAML::Node& tree) {
   matching.read("tolerance_mm", options.matching.tolerance_mm);
   matching.read("sigmas", options.matching.sigmas);
   OptionReader planner = reader.section("planner");
-  planner.readWord<planning::PlanMethod>("method", options.planner.method, methodWords());
+  planner.readWord<planning::PlanMethod>("method", options.planner.method,
+                                         {{"dblf", planning::PlanMethod::kDblf},
+                                          {"ga", planning::PlanMethod::kGa},
+                                          {"best", planning::PlanMethod::kBest}});
   planner.read("n_cost", options.planner.n_cost);
   planner.readWord<planning::CostComparison>("comparison", options.planner.comparison,
                                              {{"lexicographic", planning::CostComparison::kLexicographic},
                                               {"mean", planning::CostComparison::kMean}});
   readGenetic(planner.section("genetic"), options.planner.genetic);
+  std::vector<std::string> wrong;
+  readBest(planner.section("best"), options.planner.best, wrong);
   OptionReader plan = reader.section("plan");
   plan.read("time_budget_s", options.plan.time_budget_s);
   readGenetic(plan.section("genetic"), options.plan.genetic);
+  reader.add(wrong);
   reader.add(problems(options));
   reader.finish("parameters of the pick planner");
   return options;

@@ -99,6 +99,9 @@ void PlannerServer::answer(const planning::ChooseReply& reply, const IdentifiedB
     message.feasible = option.feasible ? 1 : 0;
     message.reason = option.reason;
     message.future_costs = option.future_costs;
+    message.playouts = static_cast<std::uint32_t>(option.future.playouts);
+    message.perfect_ratio = option.future.perfect_ratio;
+    message.unpacked_ratio = option.future.unpacked_ratio;
     if (!option.feasible) continue;
     message.placement = toMessage(option.placement, *session_.order());
     alignWithBox(request, boxes.request_index[i], message.placement);

@@ -16,9 +16,9 @@
 #include <tuple>
 
 #include <mixed_palletizing/packing/genetic_search.hpp>
+#include <mixed_palletizing/packing/random.hpp>
 
 #include "messages.hpp"
-#include "random.hpp"
 #include "sequence_packer.hpp"
 
 namespace mixed_palletizing::packing {

@@ -160,7 +160,11 @@ std::optional<Placement> findPlacement(const PalletState& state, const std::vect
 }
 
 std::vector<Placement> cornerPlacements(const PalletState& state, const ItemType& type, int type_index) {
-  const std::vector<Vec3> sizes = orientations(type);
+  return cornerPlacements(state, orientations(type), type_index);
+}
+
+std::vector<Placement> cornerPlacements(const PalletState& state, const std::vector<Vec3>& sizes,
+                                        int type_index) {
   checkItem(sizes, type_index, "cornerPlacements");
   std::vector<Placement> placements = allPlacements(state, sizes, type_index);
   const auto key = [](const Placement& p) { return std::make_tuple(dblfKey(p.origin), dblfKey(p.size)); };

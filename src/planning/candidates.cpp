@@ -48,4 +48,9 @@ std::vector<int> restItems(std::vector<int> remaining, int type) {
   return items;
 }
 
+std::size_t firstOfType(const std::vector<int>& available, std::size_t i) {
+  return static_cast<std::size_t>(std::find(available.begin(), available.end(), available[i]) -
+                                  available.begin());
+}
+
 }  // namespace mixed_palletizing::planning

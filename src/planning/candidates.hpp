@@ -1,6 +1,7 @@
 // The distinct items that can be picked now.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,8 @@ std::string whyNowhere(const packing::PalletState& pallet, const packing::ItemTy
 
 /// `remaining` less one item of `type`, as a list of types.
 std::vector<int> restItems(std::vector<int> remaining, int type);
+
+/// Index of the first available item of the same type; `i` when there is none before it.
+std::size_t firstOfType(const std::vector<int>& available, std::size_t i);
 
 }  // namespace mixed_palletizing::planning

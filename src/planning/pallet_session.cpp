@@ -141,12 +141,14 @@ ChooseReply PalletSession::choose(const std::string& request_id, const std::vect
 
   const Situation situation{open->pallet, open->order.types, available, open->remaining};
   // The seed follows the revision: the same situation of one pallet is decided the same way.
-  reply.decision = chooseNextPick(situation, options_, options_.genetic.seed + revision(), stop);
+  const std::uint64_t seed =
+      options_.method == PlanMethod::kBest ? options_.best.seed : options_.genetic.seed;
+  reply.decision = chooseNextPick(situation, options_, seed + revision(), stop);
   reply.decision_id = state_.nextDecisionId();
   answer(reply.decision.chosen ? ChooseStatus::kPick : ChooseStatus::kNoneFits,
          decisionText(reply.decision, available, open->order));
   const std::chrono::duration<double, std::milli> elapsed = Clock::now() - start;
-  state_.apply(PickDecided{request_id, available, reply, elapsed.count() + elapsed_ms_of_caller});
+  state_.apply(PickDecided{request_id, available, {}, reply, elapsed.count() + elapsed_ms_of_caller});
   return reply;
 }
 

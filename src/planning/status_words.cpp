@@ -22,6 +22,18 @@ const char* toString(SessionStatus status) {
   return "UNKNOWN";
 }
 
+const char* toString(PickOutcome outcome) {
+  switch (outcome) {
+    case PickOutcome::kPlaced:
+      return "PLACED";
+    case PickOutcome::kDiscarded:
+      return "DISCARDED";
+    case PickOutcome::kFailed:
+      return "FAILED";
+  }
+  return "UNKNOWN";
+}
+
 const char* toString(ChooseStatus status) {
   switch (status) {
     case ChooseStatus::kPick:

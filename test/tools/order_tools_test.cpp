@@ -70,7 +70,7 @@ TEST_F(OrderTools, OrdersArePlannedAndEveryPlacementIsValid) {
   ASSERT_EQ(generate("--height_mm 600 --count 12 --seed 5 --out " + path("i.jsonl")), 0) << read("err.txt");
   ASSERT_EQ(generate("--height_mm 600 --count 12 --seed 5 --out " + path("again.jsonl")), 0);
   EXPECT_EQ(read("i.jsonl"), read("again.jsonl"));
-  for (const std::string method : {"dblf", "ga"}) {
+  for (const std::string method : {"dblf", "ga", "best"}) {
     ASSERT_EQ(plan("--instances " + path("i.jsonl") + " --method " + method + " --out " + path("r.jsonl")), 0)
         << read("err.txt");
     EXPECT_EQ(read("err.txt"), "") << "progress although stderr is no terminal";

@@ -34,6 +34,10 @@ std::optional<Placement> findPlacement(const PalletState& state, const std::vect
 /// Where the state has no fullSupport() also flush with the edges of the tops below, as far as the rules allow.
 std::vector<Placement> cornerPlacements(const PalletState& state, const ItemType& type, int type_index);
 
+/// The same for an item given by the sizes in which it may stand.
+std::vector<Placement> cornerPlacements(const PalletState& state, const std::vector<Vec3>& sizes,
+                                        int type_index);
+
 /// What is still to be placed, as far as the thesis' pruning rules (3.3.1) need it: the smallest volume, the
 /// smallest height and the smallest side of a footprint over all orientations of the remaining items.
 struct RemainingLimits {

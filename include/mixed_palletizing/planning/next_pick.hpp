@@ -9,15 +9,17 @@
 #include <mixed_palletizing/packing/genetic_search.hpp>
 #include <mixed_palletizing/packing/pallet_state.hpp>
 #include <mixed_palletizing/packing/types.hpp>
+#include <mixed_palletizing/planning/placement_policy.hpp>
 
 namespace mixed_palletizing::planning {
 
 enum class PlanMethod {
   kDblf,  ///< the first available item that fits, by DBLF: the thesis' "only heuristic"
   kGa,    ///< future cost of every available item by a genetic search over the rest
+  kBest,  ///< pairs of item and placement, judged by playing futures with sampled arrivals
 };
 
-/// Parses "dblf" or "ga"; std::nullopt for another word.
+/// Parses "dblf", "ga" or "best"; std::nullopt for another word.
 std::optional<PlanMethod> planMethodFromString(const std::string& word);
 
 /// How two lists of future costs are compared; the thesis leaves it open.
@@ -26,11 +28,26 @@ enum class CostComparison {
   kMean,           ///< the mean of the N_cost best
 };
 
+/// Method kBest.
+struct BestOptions {
+  int candidates = 6;  ///< pairs whose futures are played: those that the policy rates best
+  int samples = 0;     ///< futures of each pair at most; 0 = until `stop`, or kDefaultSamples without one
+  int threads = 1;     ///< play futures at the same time; the decision does not depend on it
+  PolicyWeights weights = tunedPolicyWeights();
+  std::uint64_t seed = 1;  ///< of a session's decisions
+
+  static constexpr int kDefaultSamples = 16;
+};
+
+std::vector<std::string> problems(const BestOptions& options);
+
 struct PlannerOptions {
-  PlanMethod method = PlanMethod::kGa;
-  int n_cost = 8;  ///< N_cost: how many of the best future costs of an item are compared
+  PlanMethod method = PlanMethod::kBest;
+  int n_cost =
+      8;  ///< N_cost: how many of the best future costs of an item are compared (kGa) or told (kBest)
   CostComparison comparison = CostComparison::kLexicographic;
   packing::GeneticOptions genetic;
+  BestOptions best;
 };
 
 std::vector<std::string> problems(const PlannerOptions& options);
@@ -45,10 +62,18 @@ struct Situation {
   std::vector<int> remaining;  ///< count per type, available ones included
 };
 
+/// What the futures that were played after a placement came to.
+struct FutureEstimate {
+  int playouts = 0;             ///< 0 = none was played
+  double perfect_ratio = 0.0;   ///< share of them that left nothing over
+  double unpacked_ratio = 0.0;  ///< mean volume left over, in volumes of the pallet
+};
+
 /// One available item as the planner sees it.
 struct PickOption {
   bool feasible = false;
-  packing::Placement placement;      ///< when feasible
+  packing::Placement placement;      ///< when feasible: the best that was found
+  FutureEstimate future;             ///< method kBest only
   std::vector<double> future_costs;  ///< the N_cost best, ascending: 1 - utilization at the end of the order;
                                      ///< empty when nothing had to be compared or no time was left
   std::string reason;                ///< why not feasible

@@ -1,6 +1,8 @@
 // What a pallet session remembers, changed by events only, so that a journal of the events restores it.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -17,6 +19,9 @@ namespace mixed_palletizing::planning {
 
 enum class PickOutcome { kPlaced, kDiscarded, kFailed };
 
+/// "PLACED", "DISCARDED", "FAILED".
+const char* toString(PickOutcome outcome);
+
 enum class ChooseStatus { kPick, kNoneFits, kOrderComplete, kNoPallet, kBadRequest, kConflict };
 
 struct ChooseReply {
@@ -31,9 +36,16 @@ struct PalletStarted {
   packing::Order order;
 };
 
+/// What the caller of a decision wants to find again: the session only keeps it.
+struct CallerNotes {
+  std::vector<std::size_t> request_index;          ///< of the available items: where they are in the request
+  std::vector<std::array<double, 3>> box_sizes_m;  ///< as detected; empty when they were given by type
+};
+
 struct PickDecided {
   std::string request_id;
   std::vector<int> available;
+  CallerNotes notes;
   ChooseReply reply;
   double decision_ms = 0.0;
 };
@@ -68,6 +80,11 @@ struct OpenPallet {
 
 class SessionState {
  public:
+  SessionState() = default;
+  /// With no pallet open, and these numbers to go on with.
+  SessionState(std::uint64_t revision, std::uint64_t next_decision_id)
+      : next_decision_id_(next_decision_id), revision_(revision) {}
+
   /// How many decisions of one revision are remembered; the oldest is forgotten first.
   static constexpr std::size_t kMaxDecisions = 16;
 

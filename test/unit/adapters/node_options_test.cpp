@@ -106,6 +106,11 @@ TEST(PickPlannerOptions, shippedFileIsReadAndHoldsTheDefaults) {
   EXPECT_EQ(read.planner.method, defaults.planner.method);
   EXPECT_EQ(read.planner.n_cost, defaults.planner.n_cost);
   EXPECT_EQ(read.planner.comparison, defaults.planner.comparison);
+  EXPECT_EQ(read.planner.best.candidates, defaults.planner.best.candidates);
+  EXPECT_EQ(read.planner.best.samples, defaults.planner.best.samples);
+  EXPECT_EQ(read.planner.best.threads, defaults.planner.best.threads);
+  EXPECT_EQ(read.planner.best.seed, defaults.planner.best.seed);
+  EXPECT_EQ(read.planner.best.weights, defaults.planner.best.weights);
   EXPECT_EQ(read.plan.time_budget_s, defaults.plan.time_budget_s);
   for (const auto& [a, b] : {std::pair(read.planner.genetic, defaults.planner.genetic),
                              std::pair(read.plan.genetic, defaults.plan.genetic)}) {

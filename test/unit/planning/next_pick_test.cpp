@@ -58,7 +58,7 @@ TEST(ChooseNextPick, isSoundOnRandomPallets) {
       items.pop_back();
     }
     items.resize(std::min<std::size_t>(items.size(), 4));
-    for (const PlanMethod method : {PlanMethod::kDblf, PlanMethod::kGa}) {
+    for (const PlanMethod method : {PlanMethod::kDblf, PlanMethod::kGa, PlanMethod::kBest}) {
       const PlannerOptions options = optionsOf(method);
       const Situation situation{pallet, order.types, items, remaining};
       const Decision decision = chooseNextPick(situation, options, 7, kNever);
@@ -95,6 +95,39 @@ TEST(ChooseNextPick, gaSeesThatTheLargeBoxNeedsTheFloor) {
   ASSERT_FALSE(decision.options[0].future_costs.empty());
   EXPECT_NEAR(decision.options[0].future_costs[0], 0.75, 1e-12);
   EXPECT_NEAR(decision.options[1].future_costs[0], 0.5, 1e-12);
+}
+
+TEST(ChooseNextPick, bestSeesThatTheLargeBoxNeedsTheFloor) {
+  packing::PalletState pallet(packing::PalletRules{{100, 100, 100}, 0, 1.0});
+  const std::vector<packing::ItemType> types = {{"low", {100, 50, 50}, {}, 0, 0},
+                                                {"tall", {50, 100, 100}, {}, 0, 0}};
+  const Situation situation{pallet, types, {0, 1}, {1, 1}};
+  const Decision decision = chooseNextPick(situation, optionsOf(PlanMethod::kBest), 1, kNever);
+  ASSERT_TRUE(decision.chosen);
+  EXPECT_EQ(*decision.chosen, 1U);
+  EXPECT_NEAR(decision.options[1].future.unpacked_ratio, 0.25, 1e-12);
+  EXPECT_NEAR(decision.options[0].future.unpacked_ratio, 0.5, 1e-12);
+  EXPECT_EQ(decision.options[1].future.perfect_ratio, 0.0);
+}
+
+TEST(ChooseNextPick, bestDoesNotDependOnItsThreads) {
+  std::mt19937_64 rng(44);
+  for (int run = 0; run < 20; ++run) {
+    const packing::Order order = test::randomOrder(rng);
+    std::vector<int> items = test::shuffledItems(order, rng);
+    items.resize(std::min<std::size_t>(items.size(), 3));
+    const packing::PalletState pallet(order.rules);
+    const Situation situation{pallet, order.types, items, order.counts};
+    PlannerOptions options = optionsOf(PlanMethod::kBest);
+    const Decision one = chooseNextPick(situation, options, 7, kNever);
+    options.best.threads = 3;
+    const Decision three = chooseNextPick(situation, options, 7, kNever);
+    EXPECT_EQ(one.chosen, three.chosen) << "seed 44, run " << run;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      EXPECT_EQ(one.options[i].placement, three.options[i].placement) << "seed 44, run " << run;
+      EXPECT_EQ(one.options[i].future_costs, three.options[i].future_costs) << "seed 44, run " << run;
+    }
+  }
 }
 
 TEST(ChooseNextPick, theLastItemsAreExact) {
@@ -142,6 +175,7 @@ TEST(ChooseNextPick, takesTenThousandBoxes) {
   const std::vector<packing::ItemType> types = {{"a", {100, 100, 100}, {}, 0, 0}};
   const Situation situation{pallet, types, std::vector<int>(10000, 0), {10000}};
   EXPECT_EQ(chooseNextPick(situation, optionsOf(PlanMethod::kGa), 1, kNever).chosen, std::size_t{0});
+  EXPECT_EQ(chooseNextPick(situation, optionsOf(PlanMethod::kBest), 1, kNever).chosen, std::size_t{0});
   const Situation nothing{pallet, types, {}, {0}};
   EXPECT_FALSE(chooseNextPick(nothing, optionsOf(PlanMethod::kGa), 1, kNever).chosen);
 }
@@ -161,6 +195,9 @@ TEST(ChooseNextPick, refusesBadInput) {
   PlannerOptions options;
   options.n_cost = 0;
   EXPECT_EQ(problems(options).size(), 1U);
+  options.best.samples = -1;
+  options.best.weights[0] = std::nan("");
+  EXPECT_EQ(problems(options).size(), 3U);
   options.genetic.population = 0;
   EXPECT_GT(problems(options).size(), 1U);
   const Situation situation{pallet, types, {0}, {1}};

@@ -325,12 +325,12 @@ TEST(SessionState, theEventsRestoreTheState) {
   EXPECT_THROW(state.apply(PalletClosed{}), std::invalid_argument);
   state.apply(PalletStarted{"p", order});
   EXPECT_THROW(state.apply(PalletStarted{"q", order}), std::invalid_argument);
-  PickDecided decided{"r", {0}, {}, 1.0};
+  PickDecided decided{"r", {0}, {}, {}, 1.0};
   EXPECT_THROW(state.apply(decided), std::invalid_argument);  // decision 0
   decided.reply.decision_id = 1;
   EXPECT_THROW(state.apply(decided), std::invalid_argument);  // no options
   decided.reply.decision.options.resize(1);
-  decided.reply.decision.options[0] = {true, {0, {0, 0, 0}, {100, 100, 100}}, {}, ""};
+  decided.reply.decision.options[0] = {true, {0, {0, 0, 0}, {100, 100, 100}}, {}, {}, ""};
   decided.reply.decision.chosen = 0;
   state.apply(decided);
   ASSERT_NE(state.decision(1), nullptr);

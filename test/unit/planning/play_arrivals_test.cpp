@@ -33,7 +33,9 @@ TEST(PlayArrivals, keepsEveryRuleOnRandomOrders) {
     instance.n_pick = test::draw(rng, 1, 5);
     PlayOptions options;
     options.n_pick = instance.n_pick;
-    options.planner.method = run % 3 == 0 ? PlanMethod::kDblf : PlanMethod::kGa;
+    options.planner.method =
+        run % 3 == 0 ? PlanMethod::kDblf : (run % 3 == 1 ? PlanMethod::kGa : PlanMethod::kBest);
+    options.planner.best.samples = 2;
     int last = 0;
     const PlayResult play = playArrivals(instance.order, instance.arrival, options, [&](int done, int total) {
       EXPECT_GT(done, last);
@@ -47,21 +49,28 @@ TEST(PlayArrivals, keepsEveryRuleOnRandomOrders) {
   }
 }
 
-TEST(PlayArrivals, gaLeavesLessThanDblf) {
+TEST(PlayArrivals, gaLeavesLessThanDblfAndBestLessThanGa) {
+  std::size_t best = 0;
   std::size_t ga = 0;
   std::size_t dblf = 0;
   for (int i = 0; i < 25; ++i) {
     const instances::Instance instance = instances::generateInstance({}, 61, i);
     PlayOptions options;
+    options.planner.best.samples = 4;
+    const PlayResult by_best = playArrivals(instance.order, instance.arrival, options);
+    options.planner.method = PlanMethod::kGa;
     const PlayResult by_ga = playArrivals(instance.order, instance.arrival, options);
     options.planner.method = PlanMethod::kDblf;
     const PlayResult by_dblf = playArrivals(instance.order, instance.arrival, options);
+    EXPECT_TRUE(faultsOf(instance, by_best).empty()) << "seed 61, index " << i;
+    best += by_best.unpacked.size();
     EXPECT_TRUE(faultsOf(instance, by_ga).empty()) << "seed 61, index " << i;
     EXPECT_TRUE(faultsOf(instance, by_dblf).empty()) << "seed 61, index " << i;
     ga += by_ga.unpacked.size();
     dblf += by_dblf.unpacked.size();
   }
   EXPECT_LT(ga, dblf);
+  EXPECT_LT(best, ga);
 }
 
 TEST(PlayArrivals, aTinyBudgetStillPlaysToTheEnd) {
