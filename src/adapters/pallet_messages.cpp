@@ -92,10 +92,13 @@ void fillOrder(const planning::PalletSession& session, PalletState& state) {
   state.order = toLines(order);
   for (const int count : session.remaining()) state.remaining.push_back(static_cast<std::uint32_t>(count));
   for (const int count : session.discarded()) state.discarded.push_back(static_cast<std::uint32_t>(count));
-  if (const auto pending = session.pendingPlacement()) {
-    state.has_pending = true;
-    state.pending = toMessage(*pending, order);
-  }
+  const planning::PickDecided* pending = session.pendingDecision();
+  if (pending == nullptr || !pending->reply.decision.chosen) return;
+  state.has_pending = true;
+  state.pending_decision_id = pending->reply.decision_id;
+  state.pending = toMessage(*planning::plannedPlacement(pending->reply.decision), order);
+  const auto& detected = pending->notes.box_sizes_m;
+  if (!detected.empty()) alignPose(state.pending, detected.at(*pending->reply.decision.chosen));
 }
 
 geometry_msgs::Point centerOfGravity(const planning::PalletSummary& summary) {
@@ -222,7 +225,11 @@ PalletSummary toMessage(const planning::PalletSummary& summary) {
   message.utilization = summary.utilization;
   message.center_of_gravity = centerOfGravity(summary);
   message.decisions = static_cast<std::uint32_t>(summary.decisions);
+  message.unpacked_ratio = summary.unpacked_volume_ratio;
+  message.min_support_ratio = summary.min_support_ratio;
+  message.gravity_margin = toMeters(summary.gravity_margin_mm);
   message.median_decision_ms = summary.median_decision_ms;
+  message.p99_decision_ms = summary.p99_decision_ms;
   message.max_decision_ms = summary.max_decision_ms;
   return message;
 }

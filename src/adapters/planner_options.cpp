@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <exception>
+#include <stdexcept>
 
 #include <mixed_palletizing/adapters/option_reader.hpp>
 #include <mixed_palletizing/adapters/planner_options.hpp>
@@ -67,6 +70,8 @@ std::vector<std::string> problems(const PickPlannerOptions& options) {
   require(positive(options.plan.time_budget_s), "plan.time_budget_s", options.plan.time_budget_s,
           "s is not positive");
   append("plan.genetic.", problems(options.plan.genetic), all);
+  require(options.journal.keep_pallets >= 1, "journal.keep_pallets", options.journal.keep_pallets,
+          "is less than 1");
   return all;
 }
 
@@ -96,10 +101,27 @@ PickPlannerOptions readPickPlannerOptions(const YAML::Node& tree) {
   OptionReader plan = reader.section("plan");
   plan.read("time_budget_s", options.plan.time_budget_s);
   readGenetic(plan.section("genetic"), options.plan.genetic);
+  OptionReader journal = reader.section("journal");
+  journal.read("file", options.journal.file);
+  journal.read("keep_pallets", options.journal.keep_pallets);
   reader.add(wrong);
   reader.add(problems(options));
   reader.finish("parameters of the pick planner");
   return options;
+}
+
+std::string journalPath(const JournalFileOptions& options, const std::string& node_name) {
+  if (options.file == "none") return "";
+  if (!options.file.empty()) return options.file;
+  const char* ros_home = std::getenv("ROS_HOME");
+  const char* home = std::getenv("HOME");
+  if (ros_home == nullptr && home == nullptr) {
+    throw std::invalid_argument("journal.file: neither ROS_HOME nor HOME is set: name a file");
+  }
+  const std::string folder = ros_home != nullptr ? ros_home : std::string(home) + "/.ros";
+  std::string name = node_name.substr(std::min(node_name.find_first_not_of('/'), node_name.size()));
+  std::replace(name.begin(), name.end(), '/', '_');
+  return folder + "/mixed_palletizing/" + name + ".journal";
 }
 
 }  // namespace mixed_palletizing::adapters

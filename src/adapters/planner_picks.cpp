@@ -1,5 +1,6 @@
 // The part of PlannerServer that chooses picks and takes their reports.
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <utility>
 
@@ -14,9 +15,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How many decisions can still be reported; the session itself remembers fewer.
-constexpr std::size_t kRememberedDecisions = 64;
-
 double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
@@ -26,6 +24,17 @@ void alignWithBox(const ChooseNextPickRequest& request, std::size_t index, Place
   if (request.boxes.empty()) return;
   const auto& size = request.boxes[index].size;
   alignPose(placement, {size.x, size.y, size.z});
+}
+
+std::vector<std::array<double, 3>> detectedSizes(const ChooseNextPickRequest& request,
+                                                 const std::vector<std::size_t>& indices) {
+  std::vector<std::array<double, 3>> sizes;
+  if (request.boxes.empty()) return sizes;
+  for (const std::size_t index : indices) {
+    const auto& size = request.boxes[index].size;
+    sizes.push_back({size.x, size.y, size.z});
+  }
+  return sizes;
 }
 
 std::optional<planning::PickOutcome> outcomeOf(std::uint8_t word) {
@@ -77,8 +86,9 @@ void PlannerServer::choose(const ChooseNextPickRequest& request, ChooseNextPickR
   const auto deadline =
       start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(budget_s));
   const auto stop = [deadline] { return Clock::now() >= deadline; };
-  answer(session_.choose(request.request_id, boxes.types, stop, millisecondsSince(start)), boxes, request,
-         response);
+  const planning::CallerNotes notes{boxes.request_index, detectedSizes(request, boxes.request_index)};
+  answer(session_.choose(request.request_id, boxes.types, stop, millisecondsSince(start), notes), boxes,
+         request, response);
   publishState();
 }
 
@@ -89,9 +99,6 @@ void PlannerServer::answer(const planning::ChooseReply& reply, const IdentifiedB
   response.decision_id = reply.decision_id;
   response.header.frame_id = options_.pallet_frame;
   response.header.stamp = ros::Time::now();
-  Decided decision;
-  decision.decision_id = reply.decision_id;
-  decision.request_index = boxes.request_index;
   for (std::size_t i = 0; i < reply.decision.options.size(); ++i) {
     const planning::PickOption& option = reply.decision.options[i];
     PickOption& message = response.options.at(boxes.request_index.at(i));
@@ -111,29 +118,26 @@ void PlannerServer::answer(const planning::ChooseReply& reply, const IdentifiedB
     response.chosen_index = static_cast<std::int32_t>(index);
     response.type_id = response.options[index].type_id;
     response.placement = response.options[index].placement;
-    decision.placement = reply.decision.options[*reply.decision.chosen].placement;
-    decision.message = response.placement;
   }
-  if (reply.decision_id != 0) remember(std::move(decision));
 }
 
 bool PlannerServer::onReport(ReportPickRequest& request, ReportPickResponse& response) {
   return guarded("report_pick", response, [&] { report(request, response); });
 }
 
-std::optional<packing::Placement> PlannerServer::measured(const ReportPickRequest& request,
-                                                          const Decided* decision,
-                                                          ReportPickResponse& response) const {
+std::optional<packing::Placement> PlannerServer::measured(
+    const ReportPickRequest& request, const std::optional<planning::KnownDecision>& decision,
+    ReportPickResponse& response) const {
   const bool given = request.outcome == ReportPickRequest::PLACED && request.has_actual_pose != 0;
-  if (!given || decision == nullptr || !decision->placement) return std::nullopt;
+  if (!given || !decision || !decision->planned) return std::nullopt;
   const MeasuredPlacement found = measuredPlacement(
-      request.actual_pose, *decision->placement, options_.position_tolerance_m, options_.angle_tolerance_rad);
+      request.actual_pose, *decision->planned, options_.position_tolerance_m, options_.angle_tolerance_rad);
   if (!found.placement) {
     response.status = ReportPickResponse::INVALID_PLACEMENT;
     response.message = found.problem;
   }
   // Within tolerance the plan stands, so that repeating the report without the measurement is the same report.
-  return found.placement == decision->placement ? std::nullopt : found.placement;
+  return found.placement == decision->planned ? std::nullopt : found.placement;
 }
 
 void PlannerServer::report(const ReportPickRequest& request, ReportPickResponse& response) {
@@ -146,12 +150,12 @@ void PlannerServer::report(const ReportPickRequest& request, ReportPickResponse&
         "outcome: " + std::to_string(request.outcome) + " is none of PLACED, DISCARDED, FAILED";
     return;
   }
-  const Decided* decision = decided(request.decision_id);
+  const std::optional<planning::KnownDecision> decision = session_.knownDecision(request.decision_id);
   std::vector<std::size_t> discarded(request.discarded.begin(), request.discarded.end());
-  if (decision != nullptr) {
+  if (decision) {
     for (std::size_t& index : discarded) {
       // From the request's boxes to the identified ones; an index of another box stays out of range.
-      const auto& known = decision->request_index;
+      const auto& known = decision->notes.request_index;
       index = static_cast<std::size_t>(std::find(known.begin(), known.end(), index) - known.begin());
     }
   }
@@ -163,20 +167,6 @@ void PlannerServer::report(const ReportPickRequest& request, ReportPickResponse&
     response.status = ReportPickResponse::INVALID_PLACEMENT;
   }
   if (response.status == ReportPickResponse::OK) publishState();
-}
-
-const PlannerServer::Decided* PlannerServer::decided(std::uint64_t decision_id) const {
-  const auto found = std::find_if(decided_.begin(), decided_.end(), [&](const Decided& decision) {
-    return decision.decision_id == decision_id;
-  });
-  return found == decided_.end() ? nullptr : &*found;
-}
-
-void PlannerServer::remember(Decided decision) {
-  const auto same = [&](const Decided& other) { return other.decision_id == decision.decision_id; };
-  decided_.erase(std::remove_if(decided_.begin(), decided_.end(), same), decided_.end());
-  decided_.push_back(std::move(decision));
-  if (decided_.size() > kRememberedDecisions) decided_.pop_front();
 }
 
 }  // namespace mixed_palletizing::adapters

@@ -14,13 +14,36 @@
 #include "planner_status.hpp"
 
 namespace mixed_palletizing::adapters {
+namespace {
+
+std::unique_ptr<planning::PalletJournal> openJournal(const JournalFileOptions& options,
+                                                     const std::string& node_name) {
+  const std::string path = journalPath(options, node_name);
+  if (path.empty()) return nullptr;
+  return std::make_unique<planning::PalletJournal>(path, options.keep_pallets);
+}
+
+planning::PalletSession openSession(const planning::PlannerOptions& options,
+                                    planning::PalletJournal* journal) {
+  if (journal == nullptr) return planning::PalletSession(options);
+  return planning::PalletSession(
+      options, journal->restore(),
+      [journal](const auto& before, const auto& events) { journal->append(before, events); });
+}
+
+}  // namespace
 
 PlannerServer::PlannerServer(const ros::NodeHandle& private_node)
     : options_(readPickPlannerOptions(parameterTree(private_node))),
       node_(private_node),
-      session_(options_.planner),
+      journal_(openJournal(options_.journal, node_.getNamespace())),
+      session_(openSession(options_.planner, journal_.get())),
       state_publisher_(node_.advertise<PalletState>(names::kPalletState, 1, true)),
       markers_publisher_(node_.advertise<visualization_msgs::MarkerArray>(names::kPalletMarkers, 1, true)) {
+  if (session_.open()) {
+    ROS_INFO_STREAM("pallet '" << session_.palletId() << "' goes on at revision " << session_.revision()
+                               << ": " << session_.pallet()->placements().size() << " boxes stand on it");
+  }
   publishState();
   plan_pallet_ = std::make_unique<PlanPalletServer>(node_, options_, session_mutex_, session_);
   services_ = {node_.advertiseService(names::kStartPallet, &PlannerServer::onStart, this),
@@ -89,10 +112,6 @@ void PlannerServer::publishState() {
   PalletState state = toMessage(session_);
   state.header.frame_id = options_.pallet_frame;
   state.header.stamp = ros::Time::now();
-  if (state.has_pending != 0 && !decided_.empty()) {
-    state.pending_decision_id = decided_.back().decision_id;
-    state.pending = decided_.back().message;
-  }
   state_publisher_.publish(state);
   markers_publisher_.publish(palletMarkers(state));
   std::lock_guard<std::mutex> lock(state_mutex_);

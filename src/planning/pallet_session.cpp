@@ -7,6 +7,7 @@
 #include <mixed_palletizing/planning/pallet_session.hpp>
 
 #include "candidates.hpp"
+#include "pallet_stability.hpp"
 
 namespace mixed_palletizing::planning {
 namespace {
@@ -61,27 +62,6 @@ std::string reportProblem(const PickDecided& decided, const PickReported& report
   return open.pallet.whyNot(*report.measured);
 }
 
-/// By weight when all weights are known, else by volume [mm].
-std::array<double, 3> centreOfGravity(const OpenPallet& open) {
-  const auto typeOf = [&open](const packing::Placement& p) -> const packing::ItemType& {
-    return open.order.types[static_cast<std::size_t>(p.type)];
-  };
-  const auto& placements = open.pallet.placements();
-  const bool weights_known = std::all_of(placements.begin(), placements.end(),
-                                         [&](const auto& p) { return typeOf(p).weight_kg > 0.0; });
-  std::array<double, 3> centre{};
-  double total = 0.0;
-  for (const packing::Placement& p : placements) {
-    const double weight = weights_known ? typeOf(p).weight_kg : static_cast<double>(packing::volume(p.size));
-    centre[0] += weight * (p.origin.x + 0.5 * p.size.x);
-    centre[1] += weight * (p.origin.y + 0.5 * p.size.y);
-    centre[2] += weight * (p.origin.z + 0.5 * p.size.z);
-    total += weight;
-  }
-  for (double& coordinate : centre) coordinate = total > 0.0 ? coordinate / total : 0.0;
-  return centre;
-}
-
 std::string decisionText(const Decision& decision, const std::vector<int>& available,
                          const packing::Order& order) {
   if (decision.chosen) {
@@ -99,7 +79,8 @@ std::string decisionText(const Decision& decision, const std::vector<int>& avail
 
 }  // namespace
 
-PalletSession::PalletSession(const PlannerOptions& options) : options_(options) {
+PalletSession::PalletSession(const PlannerOptions& options, SessionState state, Recorder recorder)
+    : options_(options), state_(std::move(state)), recorder_(std::move(recorder)) {
   const std::vector<std::string> found = problems(options);
   if (!found.empty()) throw std::invalid_argument("PalletSession: options: " + joined(found));
 }
@@ -110,14 +91,17 @@ SessionReply PalletSession::start(const std::string& pallet_id, const packing::O
   std::vector<std::string> found = problems(order);
   if (pallet_id.empty()) found.emplace_back("pallet_id: '': must not be empty");
   if (!found.empty()) return {SessionStatus::kBadRequest, joined(found)};
-  if (open()) state_.apply(PalletClosed{});
-  state_.apply(PalletStarted{pallet_id, order});
+  std::vector<SessionEvent> events;
+  if (open()) events.emplace_back(PalletClosed{});
+  events.emplace_back(PalletStarted{pallet_id, order});
+  record(events);
   return {SessionStatus::kOk,
           "pallet '" + pallet_id + "' with " + std::to_string(order.itemCount()) + " items"};
 }
 
 ChooseReply PalletSession::choose(const std::string& request_id, const std::vector<int>& available,
-                                  const packing::StopCallback& stop, double elapsed_ms_of_caller) {
+                                  const packing::StopCallback& stop, double elapsed_ms_of_caller,
+                                  const CallerNotes& notes) {
   const Clock::time_point start = Clock::now();
   ChooseReply reply;
   const auto answer = [&reply](ChooseStatus status, const std::string& message) {
@@ -148,7 +132,7 @@ ChooseReply PalletSession::choose(const std::string& request_id, const std::vect
   answer(reply.decision.chosen ? ChooseStatus::kPick : ChooseStatus::kNoneFits,
          decisionText(reply.decision, available, open->order));
   const std::chrono::duration<double, std::milli> elapsed = Clock::now() - start;
-  state_.apply(PickDecided{request_id, available, {}, reply, elapsed.count() + elapsed_ms_of_caller});
+  record({PickDecided{request_id, available, notes, reply, elapsed.count() + elapsed_ms_of_caller}});
   return reply;
 }
 
@@ -156,8 +140,8 @@ SessionReply PalletSession::report(std::uint64_t decision_id, PickOutcome outcom
                                    const std::optional<packing::Placement>& placement,
                                    const std::vector<std::size_t>& discarded) {
   const PickReported event{decision_id, outcome, placement, discarded};
-  if (const PickReported* before = state_.report(decision_id)) {
-    if (sameReport(*before, event)) return {SessionStatus::kOk, "reported before"};
+  if (const ReportedPick* before = state_.report(decision_id)) {
+    if (sameReport(before->report, event)) return {SessionStatus::kOk, "reported before"};
     return {SessionStatus::kConflict,
             "decision " + std::to_string(decision_id) + " was reported otherwise before"};
   }
@@ -171,7 +155,7 @@ SessionReply PalletSession::report(std::uint64_t decision_id, PickOutcome outcom
   }
   const std::string problem = reportProblem(*decided, event, *state_.open());
   if (!problem.empty()) return {SessionStatus::kBadRequest, problem};
-  state_.apply(event);
+  record({event});
   return {};
 }
 
@@ -179,14 +163,14 @@ SessionReply PalletSession::undoLast() {
   if (!open()) return noPallet();
   if (state_.open()->changes.empty())
     return {SessionStatus::kNothingToUndo, "nothing was placed or discarded"};
-  state_.apply(LastUndone{});
+  record({LastUndone{}});
   return {};
 }
 
 SessionReply PalletSession::close(PalletSummary& summary) {
   if (!open()) return noPallet();
   summary = this->summary();
-  state_.apply(PalletClosed{});
+  record({PalletClosed{}});
   return {};
 }
 
@@ -211,11 +195,26 @@ std::vector<int> PalletSession::discarded() const {
 
 std::uint64_t PalletSession::revision() const { return state_.revision(); }
 
-std::optional<packing::Placement> PalletSession::pendingPlacement() const {
-  if (!open() || state_.open()->decisions.empty()) return std::nullopt;
-  const Decision& decision = state_.open()->decisions.back().reply.decision;
-  if (!decision.chosen) return std::nullopt;
-  return decision.options[*decision.chosen].placement;
+const PickDecided* PalletSession::pendingDecision() const {
+  return open() && !state_.open()->decisions.empty() ? &state_.open()->decisions.back() : nullptr;
+}
+
+std::optional<KnownDecision> PalletSession::knownDecision(std::uint64_t decision_id) const {
+  if (const PickDecided* decided = state_.decision(decision_id)) {
+    return KnownDecision{decided->notes, plannedPlacement(decided->reply.decision)};
+  }
+  if (const ReportedPick* reported = state_.report(decision_id)) {
+    return KnownDecision{reported->notes, reported->planned};
+  }
+  return std::nullopt;
+}
+
+/// The events are tried on a copy first: what is recorded can be applied.
+void PalletSession::record(const std::vector<SessionEvent>& events) {
+  SessionState next = state_;
+  for (const SessionEvent& event : events) next.apply(event);
+  if (recorder_) recorder_(state_, events);
+  state_ = std::move(next);
 }
 
 PalletSummary PalletSession::summary() const {
@@ -227,14 +226,21 @@ PalletSummary PalletSession::summary() const {
   summary.discarded = std::accumulate(open->discarded.begin(), open->discarded.end(), 0);
   summary.remaining = std::accumulate(open->remaining.begin(), open->remaining.end(), 0);
   summary.utilization = open->pallet.utilization();
-  summary.center_of_gravity_mm = centreOfGravity(*open);
+  summary.center_of_gravity_mm = centreOfGravity(open->pallet, open->order);
+  summary.min_support_ratio = leastSupport(open->pallet);
+  summary.gravity_margin_mm = gravityMargin(open->pallet, summary.center_of_gravity_mm);
+  for (std::size_t t = 0; t < open->order.types.size(); ++t) {
+    summary.unpacked_volume_ratio += static_cast<double>(open->discarded[t] + open->remaining[t]) *
+                                     static_cast<double>(packing::volume(open->order.types[t].size));
+  }
+  summary.unpacked_volume_ratio /= static_cast<double>(packing::volume(open->order.rules.size));
   std::vector<double> times = open->decision_ms;
+  std::sort(times.begin(), times.end());
   summary.decisions = static_cast<int>(times.size());
   if (times.empty()) return summary;
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>((times.size() - 1) / 2);
-  std::nth_element(times.begin(), middle, times.end());
-  summary.median_decision_ms = *middle;
-  summary.max_decision_ms = *std::max_element(times.begin(), times.end());
+  summary.median_decision_ms = times[(times.size() - 1) / 2];
+  summary.p99_decision_ms = times[(times.size() * 99 + 99) / 100 - 1];
+  summary.max_decision_ms = times.back();
   return summary;
 }
 

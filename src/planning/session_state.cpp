@@ -24,6 +24,11 @@ std::vector<std::size_t> discardedItems(const PickDecided& decided, const PickRe
 
 }  // namespace
 
+std::optional<packing::Placement> plannedPlacement(const Decision& decision) {
+  if (!decision.chosen) return std::nullopt;
+  return decision.options[*decision.chosen].placement;
+}
+
 void SessionState::apply(const SessionEvent& event) {
   std::visit([this](const auto& e) { on(e); }, event);
 }
@@ -87,7 +92,7 @@ void SessionState::on(const PickReported& event) {
       ++open_->discarded[static_cast<std::size_t>(type)];
     }
   }
-  reports_[event.decision_id] = event;
+  reports_[event.decision_id] = {event, decided->notes, plannedPlacement(decided->reply.decision)};
   open_->decisions.clear();
   if (event.outcome == PickOutcome::kFailed) return;
   open_->changes.push_back(std::move(change));
@@ -125,7 +130,7 @@ const PickDecided* SessionState::decision(std::uint64_t decision_id) const {
   return nullptr;
 }
 
-const PickReported* SessionState::report(std::uint64_t decision_id) const {
+const ReportedPick* SessionState::report(std::uint64_t decision_id) const {
   const auto found = reports_.find(decision_id);
   return found == reports_.end() ? nullptr : &found->second;
 }

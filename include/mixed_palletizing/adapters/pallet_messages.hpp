@@ -56,7 +56,7 @@ struct MeasuredPlacement {
 MeasuredPlacement measuredPlacement(const geometry_msgs::Pose& pose, const packing::Placement& planned,
                                     double position_tolerance_m, double angle_tolerance_rad);
 
-/// All of the state but header, pending decision's id and its pose's axes.
+/// All of the state but the header.
 PalletState toMessage(const planning::PalletSession& session);
 
 PalletSummary toMessage(const planning::PalletSummary& summary);

@@ -23,6 +23,12 @@ struct PlanPalletOptions {
   }
 };
 
+/// Where the session of a pallet is kept.
+struct JournalFileOptions {
+  std::string file;       ///< empty: by the node's name in ROS_HOME/mixed_palletizing; "none": in memory only
+  int keep_pallets = 50;  ///< so many pallets back
+};
+
 struct PickPlannerOptions {
   std::string pallet_frame = "pallet";
   double time_budget_s = 1.0;           ///< of one decision
@@ -32,6 +38,7 @@ struct PickPlannerOptions {
   planning::MatchingOptions matching;
   planning::PlannerOptions planner;
   PlanPalletOptions plan;
+  JournalFileOptions journal;
 };
 
 /// Every broken rule as one line "key: what is wrong".
@@ -40,5 +47,9 @@ std::vector<std::string> problems(const PickPlannerOptions& options);
 /// Reads a tree of parameters. Throws std::invalid_argument with everything that is wrong: unknown keys, wrong
 /// types, broken rules.
 PickPlannerOptions readPickPlannerOptions(const YAML::Node& tree);
+
+/// The path of the journal, empty for none. Without a name of its own it is ROS_HOME (or ~/.ros) +
+/// "/mixed_palletizing/" + the node's name with '_' for the slashes inside + ".journal".
+std::string journalPath(const JournalFileOptions& options, const std::string& node_name);
 
 }  // namespace mixed_palletizing::adapters

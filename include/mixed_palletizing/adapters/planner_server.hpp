@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -19,6 +18,7 @@
 #include <mixed_palletizing/StartPallet.h>
 #include <mixed_palletizing/UndoLast.h>
 #include <mixed_palletizing/adapters/planner_options.hpp>
+#include <mixed_palletizing/planning/pallet_journal.hpp>
 #include <mixed_palletizing/planning/pallet_session.hpp>
 
 namespace mixed_palletizing::adapters {
@@ -30,19 +30,12 @@ struct IdentifiedBoxes;
 /// change or search wait for each other; get_pallet_state answers at once.
 class PlannerServer {
  public:
-  /// Names are private to `node`. Throws std::invalid_argument with all wrong parameters.
+  /// Names are private to `node`. Goes on with the pallet of the journal. Throws std::invalid_argument with all
+  /// wrong parameters, planning::JournalError when the journal cannot be used.
   explicit PlannerServer(const ros::NodeHandle& private_node);
   ~PlannerServer();
 
  private:
-  /// What a report needs to know of a decision.
-  struct Decided {
-    std::uint64_t decision_id = 0;
-    std::vector<std::size_t> request_index;  ///< of the session's available items
-    std::optional<packing::Placement> placement;
-    Placement message;  ///< of the placement, axes of the chosen box
-  };
-
   bool onStart(StartPalletRequest& request, StartPalletResponse& response);
   bool onChoose(ChooseNextPickRequest& request, ChooseNextPickResponse& response);
   bool onReport(ReportPickRequest& request, ReportPickResponse& response);
@@ -54,17 +47,16 @@ class PlannerServer {
   void answer(const planning::ChooseReply& reply, const IdentifiedBoxes& boxes,
               const ChooseNextPickRequest& request, ChooseNextPickResponse& response);
   void report(const ReportPickRequest& request, ReportPickResponse& response);
-  std::optional<packing::Placement> measured(const ReportPickRequest& request, const Decided* decision,
+  std::optional<packing::Placement> measured(const ReportPickRequest& request,
+                                             const std::optional<planning::KnownDecision>& decision,
                                              ReportPickResponse& response) const;
-  const Decided* decided(std::uint64_t decision_id) const;
-  void remember(Decided decision);
   void publishState();
 
   const PickPlannerOptions options_;
   ros::NodeHandle node_;
-  std::mutex session_mutex_;  // guards session_ and decided_
+  std::mutex session_mutex_;                          // guards journal_ and session_
+  std::unique_ptr<planning::PalletJournal> journal_;  // null: in memory only
   planning::PalletSession session_;
-  std::deque<Decided> decided_;
 
   std::mutex state_mutex_;  // guards state_
   PalletState state_;

@@ -1,8 +1,9 @@
-// The session of one pallet: what is ordered, placed, discarded and decided. Kept in memory.
+// The session of one pallet: what is ordered, placed, discarded and decided.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,15 +40,30 @@ struct PalletSummary {
   std::array<double, 3> center_of_gravity_mm{};  ///< by volume where weights are not known
   int decisions = 0;
   double median_decision_ms = 0.0;
+  double p99_decision_ms = 0.0;
   double max_decision_ms = 0.0;
+  double unpacked_volume_ratio = 0.0;  ///< of the items discarded or never come, in volumes of the pallet
+  double min_support_ratio = 1.0;      ///< the least supported base of all boxes; 1 when none was placed
+  double gravity_margin_mm =
+      0.0;  ///< centre of gravity to the nearest edge of the floor area the boxes cover
+};
+
+/// What a report of a decision refers to.
+struct KnownDecision {
+  CallerNotes notes;
+  std::optional<packing::Placement> planned;
 };
 
 /// One pallet from start to close. Every call answers a status and leaves the state unchanged when it
 /// refuses. Not thread safe.
 class PalletSession {
  public:
-  /// Throws std::invalid_argument with every line of problems(options).
-  explicit PalletSession(const PlannerOptions& options);
+  /// Called with every change before it takes effect and is answered: makes it durable, all events or none.
+  /// When it throws, nothing has changed.
+  using Recorder = std::function<void(const SessionState& before, const std::vector<SessionEvent>& events)>;
+
+  /// Goes on from `state`. Throws std::invalid_argument with every line of problems(options).
+  explicit PalletSession(const PlannerOptions& options, SessionState state = {}, Recorder recorder = {});
 
   /// kPalletOpen while another pallet is open, unless `close_open`; kBadRequest with every line of
   /// problems(order), or for an empty id.
@@ -56,9 +72,10 @@ class PalletSession {
   /// Decides which of `available` (type indices) to pick next. The same request_id with the same items gets
   /// the same answer until something is reported or taken back; an empty id is never remembered. Changes
   /// neither the pallet nor the order. `elapsed_ms_of_caller` [ms] is added to the decision's time in the
-  /// summary.
+  /// summary; `notes` are kept with the decision.
   ChooseReply choose(const std::string& request_id, const std::vector<int>& available,
-                     const packing::StopCallback& stop, double elapsed_ms_of_caller = 0.0);
+                     const packing::StopCallback& stop, double elapsed_ms_of_caller = 0.0,
+                     const CallerNotes& notes = {});
 
   /// What became of a decision.
   /// kPlaced: the box stands at the planned placement, or at `placement` when the robot measured another;
@@ -78,18 +95,22 @@ class PalletSession {
   SessionReply close(PalletSummary& summary);
 
   bool open() const { return state_.open() != nullptr; }
-  const packing::PalletState* pallet() const;                  ///< null when no pallet is open
-  const packing::Order* order() const;                         ///< null when no pallet is open
-  const std::string& palletId() const;                         ///< empty when no pallet is open
-  std::vector<int> remaining() const;                          ///< count per type
-  std::vector<int> discarded() const;                          ///< count per type
-  std::uint64_t revision() const;                              ///< grows with every change
-  std::optional<packing::Placement> pendingPlacement() const;  ///< of the last decision, not yet reported
-  PalletSummary summary() const;                               ///< so far; empty when no pallet is open
+  const packing::PalletState* pallet() const;  ///< null when no pallet is open
+  const packing::Order* order() const;         ///< null when no pallet is open
+  const std::string& palletId() const;         ///< empty when no pallet is open
+  std::vector<int> remaining() const;          ///< count per type
+  std::vector<int> discarded() const;          ///< count per type
+  std::uint64_t revision() const;              ///< grows with every change
+  const PickDecided* pendingDecision() const;  ///< the last one, not yet reported; null when there is none
+  std::optional<KnownDecision> knownDecision(std::uint64_t decision_id) const;  ///< open or reported
+  PalletSummary summary() const;  ///< so far; empty when no pallet is open
 
  private:
+  void record(const std::vector<SessionEvent>& events);
+
   PlannerOptions options_;
   SessionState state_;
+  Recorder recorder_;
 };
 
 /// The word of interfaces for a status: "PICK", "NONE_FITS", "OK", "NO_PALLET", ...

@@ -57,6 +57,13 @@ struct PickReported {
   std::vector<std::size_t> discarded;          ///< as reported: indices in the decision's available list
 };
 
+/// A report, and what is needed to recognize it when it is repeated.
+struct ReportedPick {
+  PickReported report;
+  CallerNotes notes;                          ///< of the decision
+  std::optional<packing::Placement> planned;  ///< by the decision
+};
+
 struct LastUndone {};
 struct PalletClosed {};
 
@@ -78,6 +85,9 @@ struct OpenPallet {
   std::vector<Change> changes;
 };
 
+/// The placement a decision chose, if any.
+std::optional<packing::Placement> plannedPlacement(const Decision& decision);
+
 class SessionState {
  public:
   SessionState() = default;
@@ -98,7 +108,7 @@ class SessionState {
   const PickDecided* decision(std::uint64_t decision_id) const;
   /// The report that was accepted for this decision and not taken back, null when there is none. Kept after
   /// the pallet is closed until the next one starts.
-  const PickReported* report(std::uint64_t decision_id) const;
+  const ReportedPick* report(std::uint64_t decision_id) const;
 
   std::uint64_t nextDecisionId() const { return next_decision_id_; }
   std::uint64_t revision() const { return revision_; }
@@ -111,7 +121,7 @@ class SessionState {
   void on(const PalletClosed& event);
 
   std::optional<OpenPallet> open_;
-  std::map<std::uint64_t, PickReported> reports_;
+  std::map<std::uint64_t, ReportedPick> reports_;
   std::uint64_t next_decision_id_ = 1;
   std::uint64_t revision_ = 0;
 };

@@ -111,6 +111,8 @@ TEST(PickPlannerOptions, shippedFileIsReadAndHoldsTheDefaults) {
   EXPECT_EQ(read.planner.best.threads, defaults.planner.best.threads);
   EXPECT_EQ(read.planner.best.seed, defaults.planner.best.seed);
   EXPECT_EQ(read.planner.best.weights, defaults.planner.best.weights);
+  EXPECT_EQ(read.journal.file, defaults.journal.file);
+  EXPECT_EQ(read.journal.keep_pallets, defaults.journal.keep_pallets);
   EXPECT_EQ(read.plan.time_budget_s, defaults.plan.time_budget_s);
   for (const auto& [a, b] : {std::pair(read.planner.genetic, defaults.planner.genetic),
                              std::pair(read.plan.genetic, defaults.plan.genetic)}) {

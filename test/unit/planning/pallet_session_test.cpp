@@ -44,7 +44,7 @@ TEST(PalletSession, answersBeforeStart) {
   EXPECT_EQ(session.order(), nullptr);
   EXPECT_EQ(session.palletId(), "");
   EXPECT_TRUE(session.remaining().empty());
-  EXPECT_FALSE(session.pendingPlacement());
+  EXPECT_EQ(session.pendingDecision(), nullptr);
   EXPECT_EQ(session.choose("r", {0}, kNever).status, ChooseStatus::kNoPallet);
   EXPECT_EQ(session.report(1, PickOutcome::kPlaced, {}, {}).status, SessionStatus::kNoPallet);
   EXPECT_EQ(session.undoLast().status, SessionStatus::kNoPallet);
@@ -114,9 +114,9 @@ TEST(PalletSession, reportsAreIdempotent) {
 TEST(PalletSession, failedLeavesTheState) {
   PalletSession session = started();
   const std::uint64_t id = session.choose("r1", {0}, kNever).decision_id;
-  EXPECT_TRUE(session.pendingPlacement());
+  EXPECT_NE(session.pendingDecision(), nullptr);
   EXPECT_TRUE(session.report(id, PickOutcome::kFailed, {}, {}).ok());
-  EXPECT_FALSE(session.pendingPlacement());
+  EXPECT_EQ(session.pendingDecision(), nullptr);
   EXPECT_EQ(session.revision(), 1U);
   EXPECT_EQ(session.remaining(), smallOrder().counts);
   EXPECT_TRUE(session.pallet()->placements().empty());
@@ -156,7 +156,8 @@ TEST(PalletSession, discardedItemsLeaveTheOrder) {
   const ChooseReply none = session.choose("2", {0, 1, 0}, kNever);
   ASSERT_EQ(none.status, ChooseStatus::kNoneFits);
   EXPECT_NE(none.message.find("'a'"), std::string::npos) << none.message;
-  EXPECT_FALSE(session.pendingPlacement());
+  ASSERT_NE(session.pendingDecision(), nullptr);
+  EXPECT_FALSE(session.pendingDecision()->reply.decision.chosen);
   EXPECT_EQ(session.report(none.decision_id, PickOutcome::kPlaced, {}, {}).status,
             SessionStatus::kBadRequest);
   EXPECT_EQ(session.report(none.decision_id, PickOutcome::kDiscarded, {}, {3}).status,

@@ -1,0 +1,169 @@
+#include "event_json.hpp"
+
+#include <stdexcept>
+
+namespace mixed_palletizing::planning {
+namespace {
+
+using nlohmann::json;
+
+json triple(const packing::Vec3& v) { return json::array({v.x, v.y, v.z}); }
+
+packing::Vec3 tripleFrom(const json& j) {
+  return {j.at(0).get<int>(), j.at(1).get<int>(), j.at(2).get<int>()};
+}
+
+packing::Placement placementFrom(const json& j) {
+  return {j.at("type").get<int>(), tripleFrom(j.at("origin_mm")), tripleFrom(j.at("size_mm"))};
+}
+
+packing::Order orderFrom(const json& j) {
+  packing::Order order;
+  order.rules.size = tripleFrom(j.at("pallet_mm"));
+  order.rules.gap = j.at("gap_mm").get<int>();
+  order.rules.min_support_ratio = j.at("min_support_ratio").get<double>();
+  order.rules.overhang = j.at("overhang_mm").get<int>();
+  order.rules.max_weight_kg = j.at("max_weight_kg").get<double>();
+  for (const json& line : j.at("items")) {
+    packing::ItemType type;
+    type.name = line.at("type").get<std::string>();
+    type.size = tripleFrom(line.at("size_mm"));
+    type.rotations.yaw = line.at("yaw").get<bool>();
+    for (std::size_t i = 0; i < 3; ++i) type.rotations.vertical[i] = line.at("vertical").at(i).get<bool>();
+    type.weight_kg = line.at("weight_kg").get<double>();
+    type.max_load_kg = line.at("max_load_kg").get<double>();
+    order.types.push_back(type);
+    order.counts.push_back(line.at("count").get<int>());
+  }
+  return order;
+}
+
+json optionJson(const PickOption& option) {
+  json j{{"feasible", option.feasible}};
+  if (!option.reason.empty()) j["reason"] = option.reason;
+  if (!option.feasible) return j;
+  j["placement"] = toJson(option.placement);
+  j["future_costs"] = option.future_costs;
+  j["playouts"] = option.future.playouts;
+  j["perfect_ratio"] = option.future.perfect_ratio;
+  j["unpacked_ratio"] = option.future.unpacked_ratio;
+  return j;
+}
+
+PickOption optionFrom(const json& j) {
+  PickOption option;
+  option.feasible = j.at("feasible").get<bool>();
+  option.reason = j.value("reason", std::string());
+  if (!option.feasible) return option;
+  option.placement = placementFrom(j.at("placement"));
+  option.future_costs = j.at("future_costs").get<std::vector<double>>();
+  option.future.playouts = j.at("playouts").get<int>();
+  option.future.perfect_ratio = j.at("perfect_ratio").get<double>();
+  option.future.unpacked_ratio = j.at("unpacked_ratio").get<double>();
+  return option;
+}
+
+json body(const PalletStarted& e) { return {{"pallet_id", e.pallet_id}, {"order", toJson(e.order)}}; }
+
+json body(const PickDecided& e) {
+  json options = json::array();
+  for (const PickOption& option : e.reply.decision.options) options.push_back(optionJson(option));
+  json j{{"request_id", e.request_id},
+         {"available", e.available},
+         {"decision_id", e.reply.decision_id},
+         {"message", e.reply.message},
+         {"options", options},
+         {"decision_ms", e.decision_ms},
+         {"request_index", e.notes.request_index},
+         {"box_sizes_m", e.notes.box_sizes_m}};
+  if (e.reply.decision.chosen) j["chosen"] = *e.reply.decision.chosen;
+  return j;
+}
+
+json body(const PickReported& e) {
+  json j{{"decision_id", e.decision_id}, {"outcome", toString(e.outcome)}, {"discarded", e.discarded}};
+  if (e.measured) j["measured"] = toJson(*e.measured);
+  return j;
+}
+
+json body(const LastUndone&) { return json::object(); }
+json body(const PalletClosed&) { return json::object(); }
+
+PickDecided decidedFrom(const json& j) {
+  PickDecided e;
+  e.request_id = j.at("request_id").get<std::string>();
+  e.available = j.at("available").get<std::vector<int>>();
+  e.reply.decision_id = j.at("decision_id").get<std::uint64_t>();
+  e.reply.message = j.at("message").get<std::string>();
+  for (const json& option : j.at("options")) e.reply.decision.options.push_back(optionFrom(option));
+  if (j.count("chosen") != 0) e.reply.decision.chosen = j.at("chosen").get<std::size_t>();
+  e.reply.status = e.reply.decision.chosen ? ChooseStatus::kPick : ChooseStatus::kNoneFits;
+  e.decision_ms = j.at("decision_ms").get<double>();
+  e.notes.request_index = j.at("request_index").get<std::vector<std::size_t>>();
+  e.notes.box_sizes_m = j.at("box_sizes_m").get<std::vector<std::array<double, 3>>>();
+  return e;
+}
+
+PickReported reportedFrom(const json& j) {
+  PickReported e;
+  e.decision_id = j.at("decision_id").get<std::uint64_t>();
+  const std::string outcome = j.at("outcome").get<std::string>();
+  bool known = false;
+  for (const PickOutcome word : {PickOutcome::kPlaced, PickOutcome::kDiscarded, PickOutcome::kFailed}) {
+    if (outcome != toString(word)) continue;
+    e.outcome = word;
+    known = true;
+  }
+  if (!known) throw std::invalid_argument("outcome '" + outcome + "' is not known");
+  e.discarded = j.at("discarded").get<std::vector<std::size_t>>();
+  if (j.count("measured") != 0) e.measured = placementFrom(j.at("measured"));
+  return e;
+}
+
+}  // namespace
+
+nlohmann::json toJson(const packing::Placement& placement) {
+  return {
+      {"type", placement.type}, {"origin_mm", triple(placement.origin)}, {"size_mm", triple(placement.size)}};
+}
+
+nlohmann::json toJson(const packing::Order& order) {
+  json items = json::array();
+  for (std::size_t i = 0; i < order.types.size(); ++i) {
+    const packing::ItemType& type = order.types[i];
+    items.push_back({{"type", type.name},
+                     {"size_mm", triple(type.size)},
+                     {"count", order.counts[i]},
+                     {"yaw", type.rotations.yaw},
+                     {"vertical", type.rotations.vertical},
+                     {"weight_kg", type.weight_kg},
+                     {"max_load_kg", type.max_load_kg}});
+  }
+  return {{"pallet_mm", triple(order.rules.size)},
+          {"gap_mm", order.rules.gap},
+          {"min_support_ratio", order.rules.min_support_ratio},
+          {"overhang_mm", order.rules.overhang},
+          {"max_weight_kg", order.rules.max_weight_kg},
+          {"items", items}};
+}
+
+std::string kindOf(const SessionEvent& event) {
+  constexpr std::array<const char*, std::variant_size_v<SessionEvent>> kKinds{"started", "decided",
+                                                                              "reported", "undone", "closed"};
+  return kKinds.at(event.index());
+}
+
+nlohmann::json toJson(const SessionEvent& event) {
+  return std::visit([](const auto& e) { return body(e); }, event);
+}
+
+SessionEvent eventFromJson(const std::string& kind, const nlohmann::json& j) {
+  if (kind == "started") return PalletStarted{j.at("pallet_id").get<std::string>(), orderFrom(j.at("order"))};
+  if (kind == "decided") return decidedFrom(j);
+  if (kind == "reported") return reportedFrom(j);
+  if (kind == "undone") return LastUndone{};
+  if (kind == "closed") return PalletClosed{};
+  throw std::invalid_argument("event '" + kind + "' is not known");
+}
+
+}  // namespace mixed_palletizing::planning

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""The planner is killed again and again and serves the same pallet; two planners on one journal; a damaged journal."""
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import rospy
+import rostest
+from geometry_msgs.msg import Vector3
+from mixed_palletizing.msg import OrderLine
+from mixed_palletizing.srv import (ChooseNextPick, ChooseNextPickRequest, ClosePallet, GetPalletState, ReportPick,
+                                   ReportPickRequest, StartPallet, StartPalletRequest)
+
+SEED = 3
+RESTART_S = 2.0
+
+
+class Journal(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.file = os.path.join(self.folder, 'p.journal')
+        self.node = None
+
+    def tearDown(self):
+        if self.node:
+            self.kill()
+        shutil.rmtree(self.folder)
+
+    def command(self, name='pick_planner'):
+        return ['rosrun', 'mixed_palletizing', 'pick_planner', '__name:=' + name, '_journal/file:=' + self.file,
+                '_time_budget_s:=0.02']
+
+    def begin(self):
+        """Starts the node; seconds until it answers."""
+        start = time.monotonic()
+        self.node = subprocess.Popen(self.command())
+        rospy.wait_for_service('pick_planner/close_pallet', 30.0)
+        while True:  # the master may still name the killed one
+            try:
+                self.call('get_pallet_state', GetPalletState)
+                return time.monotonic() - start
+            except rospy.ServiceException:
+                self.assertLess(time.monotonic() - start, 30.0)
+                time.sleep(0.02)
+
+    def kill(self):
+        os.kill(self.node.pid, signal.SIGKILL)
+        self.node.wait()
+
+    @staticmethod
+    def call(name, kind, request=None):
+        return rospy.ServiceProxy('pick_planner/' + name, kind)(*([] if request is None else [request]))
+
+    def state(self):
+        state = self.call('get_pallet_state', GetPalletState).state
+        state.header.stamp = rospy.Time()
+        state.header.seq = 0
+        return state
+
+    def start_pallet(self):
+        lines = [OrderLine(type_id='a', size=Vector3(0.3, 0.2, 0.1), count=20, rotations=OrderLine.YAW),
+                 OrderLine(type_id='b', size=Vector3(0.4, 0.3, 0.2), count=10, rotations=OrderLine.YAW)]
+        answer = self.call('start_pallet', StartPallet,
+                           StartPalletRequest(pallet_id='p', size=Vector3(1.2, 0.8, 0.6), order=lines))
+        self.assertEqual(answer.status, 0, answer.message)
+
+    def test_killed_and_restarted(self):
+        rng = random.Random(SEED)
+        self.begin()
+        self.start_pallet()
+        for _ in range(8):
+            for _ in range(rng.randint(1, 3)):
+                choice = self.call('choose_next_pick', ChooseNextPick, ChooseNextPickRequest(type_ids=['a', 'b', 'a']))
+                self.assertEqual(choice.status, 0, choice.message)
+                self.call('report_pick', ReportPick, ReportPickRequest(decision_id=choice.decision_id))
+            asked = ChooseNextPickRequest(request_id='r', type_ids=['b', 'a'])
+            choice = self.call('choose_next_pick', ChooseNextPick, asked)
+            before = self.state()
+            self.kill()
+            taken = self.begin()
+            self.assertLess(taken, RESTART_S)
+            self.assertEqual(self.state(), before)
+            again = self.call('choose_next_pick', ChooseNextPick, asked)
+            self.assertEqual((again.decision_id, again.placement), (choice.decision_id, choice.placement))
+            done = self.call('report_pick', ReportPick, ReportPickRequest(decision_id=choice.decision_id))
+            self.assertEqual(done.status, 0, done.message)
+        history = subprocess.run(['rosrun', 'mixed_palletizing', 'pallet_journal', '--journal', self.file],
+                                 stdout=subprocess.PIPE, universal_newlines=True, check=True, timeout=30).stdout
+        self.assertIn("started 'p' with 30 items", history)
+        self.assertEqual(self.call('close_pallet', ClosePallet).status, 0)
+
+    def test_two_planners_and_a_damaged_journal(self):
+        self.begin()
+        self.start_pallet()
+        second = subprocess.run(self.command('other'), stderr=subprocess.PIPE, universal_newlines=True, timeout=30)
+        self.assertNotEqual(second.returncode, 0)
+        self.assertIn('another planner', second.stderr)
+        self.kill()
+        with open(self.file, 'r+b') as file:
+            file.truncate(os.path.getsize(self.file) // 2)
+        third = subprocess.run(self.command('third'), stderr=subprocess.PIPE, universal_newlines=True, timeout=30)
+        self.assertNotEqual(third.returncode, 0)
+        self.assertIn('damaged', third.stderr)
+
+
+if __name__ == '__main__':
+    rospy.init_node('test_journal')
+    rostest.rosrun('mixed_palletizing', 'journal', Journal, sys.argv)
