@@ -9,8 +9,8 @@
 #include <mixed_palletizing/simulation/capture.hpp>
 #include <mixed_palletizing/simulation/pinhole.hpp>
 
+#include "drawn_objects.hpp"
 #include "parallel_rows.hpp"
-#include "scene_objects.hpp"
 #include "sensor.hpp"
 #include "visibility.hpp"
 
@@ -36,74 +36,100 @@ std::uint32_t pack(const Eigen::Vector3f& rgb) {
   return byte(rgb.x()) << 16 | byte(rgb.y()) << 8 | byte(rgb.z());
 }
 
-std::vector<Mesh> meshesOf(const std::vector<SceneObject>& objects) {
-  std::vector<Mesh> meshes;
-  meshes.reserve(objects.size());
-  for (const SceneObject& object : objects) meshes.push_back(object.mesh);
-  return meshes;
-}
-
 /// Casts the camera's rays.
 class Renderer {
  public:
   explicit Renderer(const Scene& scene)
-      : objects_(buildObjects(scene)),
-        rays_(meshesOf(objects_)),
+      : drawn_(drawnObjects(scene)),
+        rays_(drawn_.meshes),
         pinhole_(scene.camera),
         projector_(scene.camera.projector_m),
         towards_lamp_(scene.camera.world_from_camera.linear().transpose() * kTowardsLamp) {}
 
-  Sample sample(int row, int col) const {
-    const Eigen::Vector3d ray = pinhole_.ray(col, row);
-    const RayHit hit = rays_.trace(ray);
+  /// Samples of a whole row of the image.
+  void renderRow(int row, int width, Sample* out) const {
+    for (int first = 0; first < width; first += kPacketSize) {
+      RayDirections rays;
+      for (int i = 0; i < kPacketSize; ++i) {
+        rays[static_cast<std::size_t>(i)] = pinhole_.ray(std::min(first + i, width - 1), row);
+      }
+      const RayHits hits = rays_.trace(rays);
+      const RayFlags lit = areLit(hits, rays);
+      const auto count = static_cast<std::size_t>(std::min(kPacketSize, width - first));
+      for (std::size_t i = 0; i < count; ++i) *out++ = sample(hits[i], rays[i], lit[i]);
+    }
+  }
+
+ private:
+  Sample sample(const RayHit& hit, const Eigen::Vector3d& ray, bool is_lit) const {
     Sample sample;
     sample.rgb = kBackground;
     if (hit.object < 0) return sample;
-    const Eigen::Vector3f albedo = objects_[static_cast<std::size_t>(hit.object)].surface->albedo(hit, ray);
+    const Eigen::Vector3f albedo = drawn_.paints[static_cast<std::size_t>(hit.object)]->albedo(hit, ray);
     const double cosine = std::abs(hit.normal.dot(ray)) / ray.norm();
     sample.object = hit.object;
     sample.face = hit.face;
     sample.depth_m = hit.depth_m;
     sample.luma = luma(albedo);
     sample.cosine = static_cast<float>(cosine);
-    sample.is_lit = !projector_ || isLit(hit, hit.depth_m * ray);
+    sample.is_lit = is_lit;
     sample.rgb = pack(albedo * static_cast<float>(light(hit, cosine)));
     return sample;
   }
 
- private:
   double light(const RayHit& hit, double cosine) const {
     const double to_lamp = std::max(0.0, hit.normal.dot(towards_lamp_));
     return kAmbientLight + kLampLight * to_lamp + kCameraLight * cosine;
   }
 
-  bool isLit(const RayHit& hit, const Eigen::Vector3d& point) const {
-    return hit.normal.dot(*projector_ - point) > 0.0 && !rays_.isBlocked(point, *projector_);
+  RayFlags areLit(const RayHits& hits, const RayDirections& rays) const {
+    RayFlags lit;
+    lit.fill(true);
+    if (!projector_) return lit;
+    RayDirections points;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      points[i] = hits[i].depth_m * rays[i];
+      lit[i] = hits[i].object >= 0 && hits[i].normal.dot(*projector_ - points[i]) > 0.0;
+    }
+    const RayFlags blocked = rays_.areBlocked(points, lit, *projector_);
+    for (std::size_t i = 0; i < hits.size(); ++i) lit[i] = lit[i] && !blocked[i];
+    return lit;
   }
 
-  std::vector<SceneObject> objects_;
+  DrawnObjects drawn_;
   RayScene rays_;
   Pinhole pinhole_;
   std::optional<Eigen::Vector3d> projector_;
   Eigen::Vector3d towards_lamp_;
 };
 
-/// Mask, visible pixels and visibility of the tops.
-void describeBoxes(const Scene& scene, const std::vector<Sample>& samples, Capture& capture) {
+/// Mask and visible pixels of boxes and objects; pixels of the boxes' tops.
+std::vector<std::uint64_t> describeMask(const Scene& scene, const std::vector<Sample>& samples,
+                                        Capture& capture) {
   const std::size_t boxes = scene.boxes.size();
   std::vector<std::uint64_t> top_pixels(boxes, 0);
   capture.mask.assign(samples.size(), 0);
   capture.visible_pixels.assign(boxes, 0);
+  capture.object_visible_pixels.assign(scene.objects.size(), 0);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (samples[i].object < 1) continue;
-    const auto box = static_cast<std::size_t>(samples[i].object - 1);
-    capture.mask[i] = static_cast<std::uint16_t>(box + 1);
-    ++capture.visible_pixels[box];
-    if (samples[i].face == static_cast<std::uint8_t>(BoxFace::kTop)) ++top_pixels[box];
+    const auto thing = static_cast<std::size_t>(samples[i].object - 1);
+    if (thing >= boxes + scene.objects.size()) continue;  // a surface
+    capture.mask[i] = static_cast<std::uint16_t>(thing + 1);
+    if (thing >= boxes) {
+      ++capture.object_visible_pixels[thing - boxes];
+      continue;
+    }
+    ++capture.visible_pixels[thing];
+    if (samples[i].face == static_cast<std::uint8_t>(BoxFace::kTop)) ++top_pixels[thing];
   }
+  return top_pixels;
+}
+
+void describeTops(const Scene& scene, const std::vector<std::uint64_t>& top_pixels, Capture& capture) {
   const Pinhole pinhole(scene.camera);
   const geometry::Pose camera_from_world = scene.camera.world_from_camera.inverse();
-  for (std::size_t box = 0; box < boxes; ++box) {
+  for (std::size_t box = 0; box < scene.boxes.size(); ++box) {
     const std::uint64_t alone = projectedPixels(topCorners(scene.boxes[box], camera_from_world), pinhole);
     const double seen = alone == 0 ? 0.0 : static_cast<double>(top_pixels[box]) / static_cast<double>(alone);
     capture.top_visibility.push_back(std::min(1.0, seen));
@@ -130,8 +156,7 @@ Capture capture(const Scene& scene, std::uint64_t seed, int threads) {
   const Renderer renderer(scene);
   std::vector<Sample> samples(pixels);
   forEachRow(height, threads, [&](int row) {
-    Sample* out = &samples[static_cast<std::size_t>(row) * static_cast<std::size_t>(width)];
-    for (int col = 0; col < width; ++col) *out++ = renderer.sample(row, col);
+    renderer.renderRow(row, width, &samples[static_cast<std::size_t>(row) * static_cast<std::size_t>(width)]);
   });
 
   Capture capture;
@@ -153,7 +178,7 @@ Capture capture(const Scene& scene, std::uint64_t seed, int threads) {
       point.z = measured.z();
     }
   });
-  describeBoxes(scene, samples, capture);
+  describeTops(scene, describeMask(scene, samples, capture), capture);
   return capture;
 }
 

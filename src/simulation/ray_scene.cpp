@@ -1,5 +1,6 @@
 #include "ray_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -59,12 +60,43 @@ void attach(RTCDevice device, RTCScene scene, const Mesh& mesh, unsigned id) {
   rtcReleaseGeometry(geometry);
 }
 
+RTCRayHit rayHit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
+  RTCRayHit query = {};
+  query.ray.org_x = static_cast<float>(origin.x());
+  query.ray.org_y = static_cast<float>(origin.y());
+  query.ray.org_z = static_cast<float>(origin.z());
+  query.ray.dir_x = static_cast<float>(direction.x());
+  query.ray.dir_y = static_cast<float>(direction.y());
+  query.ray.dir_z = static_cast<float>(direction.z());
+  query.ray.tfar = std::numeric_limits<float>::infinity();
+  query.ray.mask = ~0u;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  return query;
+}
+
 }  // namespace
 
 struct RayScene::Impl {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::vector<std::vector<Facet>> facets;  // by object
+
+  /// What a ray through the camera met at Embree's distance.
+  RayHit hit(unsigned object, unsigned triangle, float distance, const Eigen::Vector3d& direction) const {
+    const Facet& facet = facets[object][triangle];
+    RayHit hit;
+    hit.object = static_cast<int>(object);
+    hit.face = facet.face;
+    const double against = facet.normal.dot(direction);
+    hit.normal = against > 0.0 ? Eigen::Vector3d(-facet.normal) : facet.normal;
+    // The direction has z = 1, so that Embree's distance is the depth; it has the precision of a float only. A
+    // plane seen from its edge says nothing.
+    const auto coarse = static_cast<double>(distance);
+    const double exact = facet.distance / against;
+    hit.depth_m = std::abs(exact - coarse) < kCoarseDepthError ? exact : coarse;
+    return hit;
+  }
 
   ~Impl() {
     if (scene != nullptr) rtcReleaseScene(scene);
@@ -90,51 +122,78 @@ RayScene::RayScene(const std::vector<Mesh>& objects) : impl_(std::make_unique<Im
 
 RayScene::~RayScene() = default;
 
-RayHit RayScene::trace(const Eigen::Vector3d& direction) const {
+RayHits RayScene::trace(const RayDirections& directions) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  RTCRayHit query = {};
-  query.ray.dir_x = static_cast<float>(direction.x());
-  query.ray.dir_y = static_cast<float>(direction.y());
-  query.ray.dir_z = static_cast<float>(direction.z());
-  query.ray.tfar = std::numeric_limits<float>::infinity();
-  query.ray.mask = ~0u;
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(impl_->scene, &context, &query);
-  RayHit hit;
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
-  const Facet& facet = impl_->facets[query.hit.geomID][query.hit.primID];
-  hit.object = static_cast<int>(query.hit.geomID);
-  hit.face = facet.face;
-  hit.normal = facet.normal;
-  // The direction has z = 1, so that Embree's distance is the depth; it has the precision of a float only. A
-  // plane seen from its edge says nothing.
-  const auto coarse = static_cast<double>(query.ray.tfar);
-  const double exact = facet.distance / facet.normal.dot(direction);
-  hit.depth_m = std::abs(exact - coarse) < kCoarseDepthError ? exact : coarse;
-  return hit;
+  alignas(32) std::array<int, kPacketSize> valid;
+  RTCRayHit8 query = {};
+  for (std::size_t i = 0; i < kPacketSize; ++i) {
+    valid[i] = -1;
+    query.ray.dir_x[i] = static_cast<float>(directions[i].x());
+    query.ray.dir_y[i] = static_cast<float>(directions[i].y());
+    query.ray.dir_z[i] = static_cast<float>(directions[i].z());
+    query.ray.tfar[i] = std::numeric_limits<float>::infinity();
+    query.ray.mask[i] = ~0u;
+    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  rtcIntersect8(valid.data(), impl_->scene, &context, &query);
+  RayHits hits;
+  for (std::size_t i = 0; i < kPacketSize; ++i) {
+    if (query.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+    hits[i] = impl_->hit(query.hit.geomID[i], query.hit.primID[i], query.ray.tfar[i], directions[i]);
+  }
+  return hits;
 }
 
-bool RayScene::isBlocked(const Eigen::Vector3d& surface_point, const Eigen::Vector3d& other) const {
-  const Eigen::Vector3d path = other - surface_point;
-  const auto length = static_cast<float>(path.norm());
-  const Eigen::Vector3f direction = (path / path.norm()).cast<float>();
+RayFlags RayScene::areBlocked(const RayDirections& surface_points, const RayFlags& asked,
+                              const Eigen::Vector3d& other) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRay ray = {};
-  ray.org_x = static_cast<float>(surface_point.x());
-  ray.org_y = static_cast<float>(surface_point.y());
-  ray.org_z = static_cast<float>(surface_point.z());
-  ray.dir_x = direction.x();
-  ray.dir_y = direction.y();
-  ray.dir_z = direction.z();
-  ray.tnear = kShadowMargin;
-  ray.tfar = length - kShadowMargin;
-  ray.mask = ~0u;
-  rtcOccluded1(impl_->scene, &context, &ray);
-  return ray.tfar < 0.0f;  // Embree sets it to -inf
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  alignas(32) std::array<int, kPacketSize> valid;
+  RTCRay8 rays = {};
+  for (std::size_t i = 0; i < kPacketSize; ++i) {
+    valid[i] = asked[i] ? -1 : 0;
+    const Eigen::Vector3d path = other - surface_points[i];
+    const double length = path.norm();
+    const Eigen::Vector3f direction = (path / length).cast<float>();
+    rays.org_x[i] = static_cast<float>(surface_points[i].x());
+    rays.org_y[i] = static_cast<float>(surface_points[i].y());
+    rays.org_z[i] = static_cast<float>(surface_points[i].z());
+    rays.dir_x[i] = direction.x();
+    rays.dir_y[i] = direction.y();
+    rays.dir_z[i] = direction.z();
+    rays.tnear[i] = kShadowMargin;
+    rays.tfar[i] = static_cast<float>(length) - kShadowMargin;
+    rays.mask[i] = ~0u;
+  }
+  rtcOccluded8(valid.data(), impl_->scene, &context, &rays);
+  RayFlags blocked;
+  for (std::size_t i = 0; i < kPacketSize; ++i) {
+    blocked[i] = asked[i] && rays.tfar[i] < 0.0f;  // Embree sets it to -inf
+  }
+  return blocked;
+}
+
+bool RayScene::isPierced(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double margin) const {
+  constexpr float kStep = 1e-5f;  // of the segment, from one triangle to the next
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  for (float start = 0.0f; start < 1.0f;) {
+    RTCRayHit query = rayHit(from, to - from);
+    query.ray.tnear = start;
+    query.ray.tfar = 1.0f;
+    rtcIntersect1(impl_->scene, &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+    const Facet& facet = impl_->facets[query.hit.geomID][query.hit.primID];
+    const double before = facet.normal.dot(from) - facet.distance;
+    const double behind = facet.normal.dot(to) - facet.distance;
+    if (before * behind < 0.0 && std::min(std::abs(before), std::abs(behind)) > margin) return true;
+    start = query.ray.tfar + kStep;
+  }
+  return false;
 }
 
 }  // namespace mixed_palletizing::simulation

@@ -10,7 +10,7 @@
 
 namespace mixed_palletizing::simulation {
 
-/// Triangles of one object in the camera's optical frame [m]; corners counter-clockwise seen from outside.
+/// Triangles of one object in the camera's optical frame [m].
 struct Mesh {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -20,9 +20,15 @@ struct Mesh {
 struct RayHit {
   int object = -1;  ///< index of the mesh; -1 when the ray meets nothing
   std::uint8_t face = 0;
-  double depth_m = 0.0;  ///< z of the point
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  double depth_m = 0.0;                               ///< z of the point
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< towards the side that the ray comes from
 };
+
+/// Neighbouring rays are cast together, which is faster than one by one.
+constexpr int kPacketSize = 8;
+using RayDirections = std::array<Eigen::Vector3d, kPacketSize>;
+using RayHits = std::array<RayHit, kPacketSize>;
+using RayFlags = std::array<bool, kPacketSize>;
 
 class RayScene {
  public:
@@ -32,11 +38,16 @@ class RayScene {
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
 
-  /// First triangle on the ray from the camera along `direction` (z = 1). Safe from several threads.
-  RayHit trace(const Eigen::Vector3d& direction) const;
+  /// First triangles on the rays from the camera along the directions (z = 1). Safe from several threads.
+  RayHits trace(const RayDirections& directions) const;
 
-  /// Whether something stands between a point of a surface and another point [m].
-  bool isBlocked(const Eigen::Vector3d& surface_point, const Eigen::Vector3d& other) const;
+  /// Whether something stands between points of surfaces and another point [m]; of those with `asked` only.
+  RayFlags areBlocked(const RayDirections& surface_points, const RayFlags& asked,
+                      const Eigen::Vector3d& other) const;
+
+  /// Whether the segment between two points runs through a triangle whose plane both of them are farther from
+  /// than `margin` [m]: one that only touches does not.
+  bool isPierced(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double margin) const;
 
  private:
   struct Impl;

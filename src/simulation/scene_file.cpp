@@ -18,17 +18,7 @@ void readFloor(YamlSection section, Floor& floor) {
   floor.size_x_m = size.x();
   floor.size_y_m = size.y();
   section.read("rgb", floor.rgb);
-  section.finish();
-}
-
-void readMarker(YamlSection section, Marker& marker) {
-  section.read("dictionary", marker.dictionary);
-  section.read("id", marker.id);
-  section.read("side_m", marker.side_m);
-  section.read("quiet_zone_m", marker.quiet_zone_m);
-  section.read("inverted", marker.inverted);
-  section.read("position_m", marker.position_m);
-  section.readAngle("yaw", marker.yaw_rad);
+  floor.texture = section.readTexture("texture");
   section.finish();
 }
 
@@ -46,6 +36,10 @@ void readNoise(YamlSection section, Noise& noise) {
 Scene readScene(YamlSection file) {
   Scene scene;
   readSetting(file, true, scene);
+  for (YamlSection& entry : file.list("markers")) readMarker(entry, scene.markers.emplace_back());
+  for (YamlSection& board : file.list("boards")) readBoard(board, scene.boards.emplace_back());
+  for (YamlSection& surface : file.list("surfaces")) readSurface(surface, scene.surfaces.emplace_back());
+  for (YamlSection& object : file.list("objects")) readObject(object, scene.objects.emplace_back());
   for (YamlSection& box : file.list("boxes")) readBox(box, scene.boxes.emplace_back());
   file.finish();
   return scene;

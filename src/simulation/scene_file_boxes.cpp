@@ -14,14 +14,16 @@ void readLabel(YamlSection section, BoxLabel& label) {
   section.finish();
 }
 
+using FaceNames = std::array<std::pair<const char*, BoxFace>, 6>;
+constexpr FaceNames kFaces = {{{"minus_x", BoxFace::kMinusX},
+                               {"plus_x", BoxFace::kPlusX},
+                               {"minus_y", BoxFace::kMinusY},
+                               {"plus_y", BoxFace::kPlusY},
+                               {"bottom", BoxFace::kBottom},
+                               {"top", BoxFace::kTop}}};
+
 void readFaceColors(YamlSection section, SceneBox& box) {
-  const std::array<std::pair<const char*, BoxFace>, 6> faces = {{{"minus_x", BoxFace::kMinusX},
-                                                                 {"plus_x", BoxFace::kPlusX},
-                                                                 {"minus_y", BoxFace::kMinusY},
-                                                                 {"plus_y", BoxFace::kPlusY},
-                                                                 {"bottom", BoxFace::kBottom},
-                                                                 {"top", BoxFace::kTop}}};
-  for (const auto& [name, face] : faces) {
+  for (const auto& [name, face] : kFaces) {
     if (!section.has(name)) continue;
     std::uint32_t rgb = box.rgb;
     section.read(name, rgb);
@@ -30,15 +32,18 @@ void readFaceColors(YamlSection section, SceneBox& box) {
   section.finish();
 }
 
+void readFaceTextures(YamlSection section, SceneBox& box) {
+  for (const auto& [name, face] : kFaces) {
+    if (section.has(name)) box.face_texture[static_cast<std::size_t>(face)] = section.readTexture(name);
+  }
+  section.finish();
+}
+
 BoxFace readSide(YamlSection& section) {
-  const std::array<std::pair<const char*, BoxFace>, 4> sides = {{{"minus_x", BoxFace::kMinusX},
-                                                                 {"plus_x", BoxFace::kPlusX},
-                                                                 {"minus_y", BoxFace::kMinusY},
-                                                                 {"plus_y", BoxFace::kPlusY}}};
   std::string text = "plus_x";
   section.read("side", text);
-  for (const auto& [name, face] : sides) {
-    if (text == name) return face;
+  for (const auto& [name, face] : kFaces) {
+    if (text == name && face < BoxFace::kBottom) return face;
   }
   section.add("side", "'" + text + "' is none of minus_x, plus_x, minus_y, plus_y");
   return BoxFace::kPlusX;
@@ -74,6 +79,8 @@ void readBox(YamlSection section, SceneBox& box) {
   section.readAngle("yaw", box.yaw_rad);
   section.read("rgb", box.rgb);
   readFaceColors(section.section("face_rgb"), box);
+  box.face_texture.fill(section.readTexture("texture"));
+  readFaceTextures(section.section("face_texture"), box);
   for (YamlSection& label : section.list("labels")) readLabel(label, box.labels.emplace_back());
   readShape(section.section("shape"), box.shape);
   section.finish();

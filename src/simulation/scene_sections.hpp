@@ -10,6 +10,10 @@ namespace mixed_palletizing::simulation {
 /// Reads the pose only if asked. Returns whether the camera is the ideal one, which has no noise (and no projector).
 bool readCamera(YamlSection section, bool with_pose, Camera& camera);
 
+void readMarker(YamlSection section, Marker& marker);
+void readBoard(YamlSection section, MarkerBoard& board);
 void readBox(YamlSection section, SceneBox& box);
+void readSurface(YamlSection section, SceneSurface& surface);
+void readObject(YamlSection section, SceneObject& object);
 
 }  // namespace mixed_palletizing::simulation

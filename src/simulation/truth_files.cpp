@@ -28,6 +28,41 @@ json toJson(const geometry::Pose& pose) {
   return rows;
 }
 
+json toJson(const geometry::Pose& world_from_surface, const Marker& marker) {
+  json out;
+  out["dictionary"] = marker.dictionary;
+  out["id"] = marker.id;
+  out["corners"] = json::array();
+  for (const Eigen::Vector3d& corner : markerCorners(marker)) {
+    out["corners"].push_back(toJson(Eigen::Vector3d(world_from_surface * corner)));
+  }
+  return out;
+}
+
+json allMarkers(const Scene& scene) {
+  json out = json::array();
+  const auto add = [&](const Marker& marker) {
+    out.push_back(toJson(worldFromSurface(scene, marker.surface), marker));
+  };
+  if (scene.has_marker) add(scene.marker);
+  for (const Marker& marker : scene.markers) add(marker);
+  for (const MarkerBoard& board : scene.boards) {
+    for (const Marker& marker : markersOf(board)) add(marker);
+  }
+  return out;
+}
+
+json toJson(const SceneObject& object, std::size_t index, const Capture& capture) {
+  const Extent extent = extentOf(*object.mesh);
+  json out;
+  out["name"] = object.name.empty() ? "object_" + std::to_string(index + 1) : object.name;
+  out["kind"] = object.kind;
+  out["world_from_object"] = toJson(object.world_from_object);
+  out["extent"] = json::array({toJson(extent.low), toJson(extent.high)});
+  out["visible_pixels"] = capture.object_visible_pixels.at(index);
+  return out;
+}
+
 json toJson(const SceneBox& box, std::size_t index, const Capture& capture) {
   const bool length_first = box.size_m.x() >= box.size_m.y();
   const Eigen::Vector3d size =
@@ -63,6 +98,11 @@ std::string truthJson(const Scene& scene, const Capture& capture, std::uint64_t 
   for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
     truth["boxes"].push_back(toJson(scene.boxes[i], i, capture));
   }
+  truth["objects"] = json::array();
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    truth["objects"].push_back(toJson(scene.objects[i], i, capture));
+  }
+  truth["markers"] = allMarkers(scene);
   return truth.dump(2, ' ', true, json::error_handler_t::replace) + "\n";
 }
 

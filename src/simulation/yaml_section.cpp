@@ -1,6 +1,7 @@
 #include "yaml_section.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
 namespace mixed_palletizing::simulation {
@@ -21,6 +22,10 @@ void YamlReport::add(const std::string& key, const std::string& what) {
   while (!known.empty() && lines_.count(known) == 0) known = parentOf(known);
   const auto line = lines_.find(known);
   mistakes_.emplace(line == lines_.end() ? 1 : line->second, key + ": " + what);
+}
+
+std::string YamlReport::pathOf(const std::string& name) const {
+  return (std::filesystem::path(path_).parent_path() / name).lexically_normal().string();
 }
 
 void YamlReport::throwIfAny() const {
@@ -148,6 +153,25 @@ void YamlSection::readAngle(const std::string& name, double& value_rad) {
   report_->know(keyOf(name), node);
   double value_deg = 0.0;
   if (readNumbers(name_deg, node, 1, &value_deg)) value_rad = value_deg * kRadPerDeg;
+}
+
+std::string YamlSection::readPath(const std::string& name) {
+  std::string file;
+  read(name, file);
+  if (!file.empty()) return report_->pathOf(file);
+  if (has(name)) add(name, "names no file");
+  return file;
+}
+
+std::shared_ptr<const Texture> YamlSection::readTexture(const std::string& name) {
+  const std::string path = readPath(name);
+  if (path.empty()) return nullptr;
+  try {
+    return loadTexture(path);
+  } catch (const std::runtime_error& error) {
+    add(name, error.what());
+    return nullptr;
+  }
 }
 
 YamlSection YamlSection::section(const std::string& name) { return {take(name), keyOf(name), *report_}; }

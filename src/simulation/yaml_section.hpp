@@ -3,12 +3,15 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 #include <yaml-cpp/yaml.h>
+
+#include <mixed_palletizing/simulation/texture.hpp>
 
 namespace mixed_palletizing::simulation {
 
@@ -21,6 +24,9 @@ class YamlReport {
 
   /// Adds "key: what" at the line of the key or, if that is not in the file, of the nearest key around it.
   void add(const std::string& key, const std::string& what);
+
+  /// A file that the scene file names: relative to its folder.
+  std::string pathOf(const std::string& name) const;
 
   /// Throws std::invalid_argument with "file:line: key: what" lines in the order of the file, if there are any.
   void throwIfAny() const;
@@ -50,6 +56,12 @@ class YamlSection {
 
   /// An angle [rad] from the key `name`_deg.
   void readAngle(const std::string& name, double& value_rad);
+
+  /// Colours of a picture file that the key names, null without the key.
+  std::shared_ptr<const Texture> readTexture(const std::string& name);
+
+  /// Path of the file that the key names, as the scene file stands; empty without the key.
+  std::string readPath(const std::string& name);
 
   bool has(const std::string& name) const;
   YamlSection section(const std::string& name);

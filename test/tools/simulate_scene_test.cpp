@@ -73,6 +73,26 @@ TEST_F(SimulateScene, WritesCloudTruthAndMask) {
   EXPECT_FALSE(read("c.pcd") == read("other.pcd"));
 }
 
+TEST_F(SimulateScene, MeshesGoIntoTruthAndMask) {
+  const std::string scene = MIXED_PALLETIZING_SOURCE_DIR "/config/scenes/stacked_boxes.yaml";
+  ASSERT_EQ(run("--scene " + scene + " --truth " + path("t.json") + " --out " + path("c.pcd")), 0)
+      << read("err.txt");
+  EXPECT_EQ(read("err.txt"), "");
+  const nlohmann::json truth = nlohmann::json::parse(read("t.json"));
+  EXPECT_EQ(truth.at("boxes").size(), 5u);
+  ASSERT_EQ(truth.at("objects").size(), 1u);
+  EXPECT_EQ(truth.at("objects").at(0).at("name"), "pallet");
+  EXPECT_GT(truth.at("objects").at(0).at("visible_pixels"), 1000);
+}
+
+TEST_F(SimulateScene, WarnsOfThingsWithinEachOther) {
+  std::ofstream(path("s.yaml"))
+      << "camera: {width_px: 64, height_px: 40, eye_m: [0, 0, 2], target_m: [0, 0, 0]}\n"
+         "boxes: [{name: a}]\nobjects: [{cylinder: {}}]\n";
+  EXPECT_EQ(run("--scene " + path("s.yaml") + " --truth " + path("t.json") + " --out " + path("c.pcd")), 0);
+  EXPECT_EQ(read("err.txt"), path("s.yaml") + ": warning: objects[0]: reaches into boxes[0]\n");
+}
+
 TEST_F(SimulateScene, BadInputIsOneClearLine) {
   const std::string outputs = " --out " + path("c.pcd") + " --truth " + path("t.json");
   const std::string bad = path("bad.yaml");

@@ -12,8 +12,10 @@ namespace mixed_palletizing::simulation {
 struct Capture {
   geometry::OrganizedCloud cloud;
   std::vector<std::uint16_t>
-      mask;  ///< row-major: 0 = no box, i + 1 = scene.boxes[i]; also where the cloud has no data
-  std::vector<std::size_t> visible_pixels;  ///< per box: pixels of the mask
+      mask;  ///< row-major, also where the cloud has no data: 0 = floor, surfaces, nothing; i + 1 = scene.boxes[i];
+             ///< after the boxes come scene.objects
+  std::vector<std::size_t> visible_pixels;         ///< per box: pixels of the mask
+  std::vector<std::size_t> object_visible_pixels;  ///< per object, likewise
   /// Per box: pixels of its top in the image over those that it would have alone before an unlimited image,
   /// [0, 1]. Geometry only: pixels without data count as seen.
   std::vector<double> top_visibility;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <Eigen/Core>
 
 #include <mixed_palletizing/geometry/pose.hpp>
+#include <mixed_palletizing/simulation/texture.hpp>
 
 namespace mixed_palletizing::simulation {
 
@@ -58,7 +60,10 @@ struct SceneBox {
   double yaw_rad = 0.0;
   std::uint32_t rgb = 0xb08a5a;
   std::array<std::optional<std::uint32_t>, 6> face_rgb;  ///< by BoxFace, instead of `rgb`
-  std::vector<BoxLabel> labels;                          ///< a later one covers an earlier one
+  /// By BoxFace, instead of colours: over the whole face seen from outside, the picture's top towards +z on the
+  /// sides and +y on top and bottom.
+  std::array<std::shared_ptr<const Texture>, 6> face_texture;
+  std::vector<BoxLabel> labels;  ///< a later one covers an earlier one
   BoxShape shape;
 };
 

@@ -13,7 +13,9 @@ namespace mixed_palletizing::simulation {
 /// [{name, center, top_center, yaw, size [l, w, h], top_mean_height, top_max_deviation, shape_flags,
 /// visible_pixels, top_visibility}] in metres and radians in the world; length >= width, yaw of the length in
 /// [-pi/2, pi/2). Centres and size are nominal; the mean height of the real top is a z of the world, its largest
-/// deviation one from the nominal plane, both within the rounded edges; the flags are shapeFlags().
+/// deviation one from the nominal plane, both within the rounded edges; the flags are shapeFlags(). Then objects [{name, kind, world_from_object (4x4),
+/// extent [low, high] in its own frame, visible_pixels}] and markers [{dictionary, id, corners in the world as
+/// OpenCV orders them}], the base frame's first.
 std::string truthJson(const Scene& scene, const Capture& capture, std::uint64_t seed);
 
 /// Writes truthJson(). Throws std::runtime_error "PATH: reason".

@@ -1,53 +1,19 @@
 // The marker's picture: OpenCV finds it in the colour channel, its corners where the truth says.
 #include <cmath>
-#include <cstring>
 
 #include <gtest/gtest.h>
-#include <opencv2/aruco.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include <mixed_palletizing/simulation/capture.hpp>
 #include <mixed_palletizing/simulation/pinhole.hpp>
 
+#include "marker_views.hpp"
 #include "small_scenes.hpp"
 
 namespace mixed_palletizing::simulation {
 namespace {
 
-cv::Mat grayOf(const Capture& capture) {
-  cv::Mat bgra(capture.cloud.height, capture.cloud.width, CV_8UC4);
-  cv::Mat gray;
-  for (int row = 0; row < bgra.rows; ++row) {
-    for (int col = 0; col < bgra.cols; ++col) {
-      const std::uint32_t rgba =
-          capture.cloud
-              .points[static_cast<std::size_t>(row) * static_cast<std::size_t>(bgra.cols) +
-                      static_cast<std::size_t>(col)]
-              .rgba;
-      std::memcpy(bgra.ptr(row, col), &rgba, sizeof rgba);
-    }
-  }
-  cv::cvtColor(bgra, gray, cv::COLOR_BGRA2GRAY);
-  return gray;
-}
-
-struct Found {
-  std::vector<int> ids;
-  std::vector<std::vector<cv::Point2f>> corners;
-};
-
-Found detect(const Capture& capture, int dictionary, bool inverted) {
-  Found found;
-  const cv::Ptr<cv::aruco::DetectorParameters> parameters = cv::aruco::DetectorParameters::create();
-  parameters->detectInvertedMarker = inverted;
-  parameters->cornerRefinementMethod = cv::aruco::CORNER_REFINE_SUBPIX;
-  cv::aruco::detectMarkers(grayOf(capture), cv::aruco::getPredefinedDictionary(dictionary), found.corners,
-                           found.ids, parameters);
-  return found;
-}
-
 void expectMarker(const Scene& scene, int dictionary) {
-  const Found found = detect(capture(scene, 1), dictionary, scene.marker.inverted);
+  const FoundMarkers found = findMarkers(capture(scene, 1), dictionary, scene.marker.inverted);
   ASSERT_EQ(found.ids, std::vector<int>{scene.marker.id});
   const std::array<Eigen::Vector3d, 4> corners = markerCorners(scene.marker);
   const geometry::Pose camera_from_world = scene.camera.world_from_camera.inverse();

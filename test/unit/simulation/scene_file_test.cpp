@@ -22,8 +22,11 @@ std::vector<std::string> shippedScenes() {
 
 TEST(ShippedScenes, Load) {
   const std::vector<std::string> paths = shippedScenes();
-  EXPECT_GE(paths.size(), 2u);
-  for (const std::string& path : paths) EXPECT_NO_THROW(loadScene(path)) << path;
+  EXPECT_GE(paths.size(), 5u);
+  for (const std::string& path : paths) {
+    SCOPED_TRACE(path);
+    EXPECT_NO_THROW(EXPECT_TRUE(warnings(loadScene(path)).empty()));
+  }
   const Scene boxes = loadScene(MIXED_PALLETIZING_SOURCE_DIR "/config/scenes/three_boxes.yaml");
   const Scene empty = loadScene(MIXED_PALLETIZING_SOURCE_DIR "/config/scenes/calibration.yaml");
   EXPECT_EQ(boxes.boxes.size(), 3u);
