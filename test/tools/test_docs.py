@@ -35,7 +35,7 @@ class Docs(unittest.TestCase):
     def test_every_document_is_linked_from_the_readme(self):
         readme = (ROOT / 'README.md').read_text(encoding='utf-8')
         for document in DOCUMENTS[1:]:
-            self.assertIn(f'docs/{document.name}', readme)
+            self.assertTrue(f'docs/{document.name}' in readme, document.name)
 
     def test_messages_of_troubleshooting_are_in_the_code(self):
         code = source_text()
