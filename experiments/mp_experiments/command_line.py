@@ -18,11 +18,12 @@ def _count(text):
 
 def _parser():
     parser = argparse.ArgumentParser(prog='run_experiments', description=DESCRIPTION)
-    parser.add_argument('experiment', choices=('detection',), help='what to measure')
+    parser.add_argument('experiment', choices=('detection', 'packing', 'planning'), help='what to measure')
     parser.add_argument('--thesis', action='store_true',
                         help="detection: the experiments of the source thesis' chapter 4.1 instead of the table")
     parser.add_argument('--out', required=True, metavar='DIR', help='folder for report and records, made when missing')
-    parser.add_argument('--count', type=_count, help='scenes a row (default: 50, or as many as the thesis has)')
+    parser.add_argument('--count', type=_count,
+                        help='scenes a row, orders a height (default: 50 scenes, or as many as the thesis has)')
     parser.add_argument('--quick', action='store_true', help='few scenes: a look at the report in minutes')
     parser.add_argument('--only', metavar='RECIPE', action='append',
                         help='detection: this row of the table alone (more than one: repeat the option)')
@@ -45,13 +46,16 @@ def _folder(path):
 
 
 def _run(options, script_folder):
+    if options.experiment != 'detection' and (options.thesis or options.only):
+        raise ExperimentError('--thesis and --only belong to detection')
     out = _folder(options.out)
     # Here and not above: --help and a wrong command line need no matplotlib.
-    from . import detection_report, measurements, thesis_report, tools as tools_module
+    from . import detection_report, measurements, order_reports, thesis_report, tools as tools_module
     tools = tools_module.Tools(script_folder, options.quiet)
     measurer = measurements.Measurer(tools, out / 'data', options.seed, options.threads)
-    make = thesis_report.make if options.thesis else detection_report.make
-    return make(tools, measurer, options, out)
+    makers = {'detection': thesis_report.make if options.thesis else detection_report.make,
+              'packing': order_reports.packing, 'planning': order_reports.planning}
+    return makers[options.experiment](tools, measurer, options, out)
 
 
 def main(arguments, script_folder):

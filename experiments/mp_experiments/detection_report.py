@@ -27,14 +27,21 @@ def _judged(row, summary, limit, digits):
     return Cell(text, 'good' if holds(row, summary, limit) else 'bad')
 
 
+def _statistic(statistics, name, digits=2):
+    return number(statistics[name] if statistics['count'] else None, digits)
+
+
 def _figures(row, name, s):
     position, yaw, side, height = s['position_mm'], s['yaw_deg'], s['side_mm'], s['height_mm']
-    return ['', name, s['boxes'], _judged(row, s, 'recall', 3), _judged(row, s, 'precision', 3),
-            _judged(row, s, 'position', 2), number(position['rms']), number(position['p95']), number(position['worst']),
-            _judged(row, s, 'yaw', 3), number(yaw['p95'], 3), number(yaw['worst'], 3),
-            _judged(row, s, 'side', 2), number(side['p95']), number(side['worst']),
-            _judged(row, s, 'height', 3), number(height['worst']), s['incomplete'], number(s['coverage']),
-            s['sizes_beyond_stddev'], number(s['detect_ms']['median'], 0)]
+    cells = ['', name, s['boxes'], _judged(row, s, 'recall', 3), _judged(row, s, 'precision', 3),
+             _judged(row, s, 'position', 2)]
+    cells += [_statistic(position, which) for which in ('rms', 'p95', 'worst')]
+    cells += [_judged(row, s, 'yaw', 3)] + [_statistic(yaw, which, 3) for which in ('p95', 'worst')]
+    cells += [_judged(row, s, 'side', 2)] + [_statistic(side, which) for which in ('p95', 'worst')]
+    cells += [_judged(row, s, 'height', 3), _statistic(height, 'worst'), s['incomplete'],
+              number(s['coverage'] if position['count'] else None), s['sizes_beyond_stddev'],
+              _statistic(s['detect_ms'], 'median', 0)]
+    return cells
 
 
 def _truncated_figures(name, s):

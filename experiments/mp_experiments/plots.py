@@ -6,14 +6,15 @@ from .errors import ExperimentError
 try:
     import matplotlib
     matplotlib.use('Agg')
-    from matplotlib import pyplot
+    from matplotlib import pyplot, ticker
 except ImportError as error:
     raise ExperimentError(f'matplotlib cannot be imported ({error}): install python3-matplotlib')
 
 OURS, THEIRS, TRUTH, FOUND, WRONG = '#2166ac', '#b2622b', '#20a050', '#1450ff', '#e02020'
+SERIES = ('#999999', THEIRS, OURS, TRUTH)
 
 
-def _bytes(figure, kind='png'):
+def as_bytes(figure, kind='png'):
     memory = io.BytesIO()
     figure.savefig(memory, format=kind, dpi=100)
     pyplot.close(figure)
@@ -43,9 +44,11 @@ def histograms(panels):
         axis.set_title(title, fontsize=10)
         axis.set_xlabel(unit, fontsize=9)
         axis.tick_params(labelsize=8)
+        axis.xaxis.set_major_locator(ticker.MaxNLocator(5))
+        axis.yaxis.set_major_locator(ticker.MaxNLocator(5, integer=True))
     axes[0][0].legend(fontsize=8, frameon=False)
     figure.tight_layout()
-    return _bytes(figure)
+    return as_bytes(figure)
 
 
 def ratio_curves(series, level):
@@ -65,7 +68,7 @@ def ratio_curves(series, level):
     axis.tick_params(labelsize=8)
     axis.legend(fontsize=8, frameon=False)
     figure.tight_layout()
-    return _bytes(figure)
+    return as_bytes(figure)
 
 
 def _outline(axis, corners, colour, style='-', width=1.4):
@@ -97,4 +100,4 @@ def scene(picture_path, record, points=()):
     axis.set_xlim(0, width - 1)
     axis.set_ylim(height - 1, 0)
     axis.axis('off')
-    return _bytes(figure, 'jpg')
+    return as_bytes(figure, 'jpg')

@@ -35,7 +35,8 @@ std::optional<double> agreement(const TrueBox& truth, const detection::DetectedB
   const double shift = (seen.center - real.center).norm();
   if (overlap >= kLeastOverlap && shift <= kLargestShift * truth.size.y()) return overlap;
   const unsigned partial = detection::kOccluded | detection::kTruncated | detection::kIncomplete;
-  const bool excused = (box.flags & partial) != 0u || !truth.counts();
+  const bool hidden = truth.visible_ratio < kWholeTop;
+  const bool excused = (hidden && (box.flags & partial) != 0u) || !truth.counts();
   if (excused && shared >= kLeastInside * std::min(seen.area(), real.area())) return overlap;
   return std::nullopt;
 }

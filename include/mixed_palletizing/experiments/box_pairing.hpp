@@ -3,8 +3,9 @@
 // A detection is a box when their tops are within kHighestStep of one height, and
 //   - their footprints share at least kLeastOverlap of their union, and their centres lie within a quarter of the
 //     box's width; or
-//   - the detection says itself that it is incomplete (OCCLUDED, TRUNCATED or INCOMPLETE), or the box need not be
-//     found, and at least kLeastInside of the smaller footprint lies in the other.
+//   - a part of the box is out of sight (TrueBox::visible_ratio below kWholeTop) and the detection says itself that it is
+//     partial (OCCLUDED, TRUNCATED or INCOMPLETE), or the box need not be found; then at least kLeastInside of the
+//     smaller footprint must lie in the other.
 // Pairs are taken one to one, those with the larger shared part of the union first. Two boxes reported as one share at
 // most two thirds of the union with one of them when they are not very unequal, and the centre is off: neither is found.
 #pragma once
@@ -22,6 +23,7 @@ constexpr double kHighestStep = 0.03;  ///< [m]
 constexpr double kLeastOverlap = 0.6;
 constexpr double kLargestShift = 0.25;  ///< of the width
 constexpr double kLeastInside = 0.7;
+constexpr double kWholeTop = 0.98;
 
 /// Area [m^2] that two rectangles share.
 double sharedArea(const geometry::Rectangle& a, const geometry::Rectangle& b);

@@ -79,12 +79,18 @@ TEST(PairBoxes, HeightTurnAndShiftDecide) {
   EXPECT_FALSE(isFound(box));
 }
 
-TEST(PairBoxes, PartOfATopIsFoundOnlyWhenItIsSaidToBeAPart) {
-  const std::vector<TrueBox> truth = {trueBox(0.0, 0.0)};
+TEST(PairBoxes, PartOfATopIsFoundOnlyWhenTheRestIsHiddenAndItSaysSo) {
+  std::vector<TrueBox> truth = {trueBox(0.0, 0.0)};
   const TrueBox half = trueBox(0.08, 0.0, 0.0, {0.14, 0.2, 0.15});
   detection::DetectedBox box = detected(half);
   EXPECT_FALSE(pairBoxes(truth, {box})[0]);
   box.flags = detection::kOccluded;
+  EXPECT_FALSE(pairBoxes(truth, {box})[0]);
+  truth[0].visible_ratio = 0.5;
+  EXPECT_TRUE(pairBoxes(truth, {box})[0]);
+  box.flags = detection::kTouching;
+  EXPECT_FALSE(pairBoxes(truth, {box})[0]);
+  truth[0].visible_ratio = 0.1;  // need not be found: a part of it is not invented
   EXPECT_TRUE(pairBoxes(truth, {box})[0]);
 }
 
