@@ -1,5 +1,6 @@
 """Command line of run_experiments."""
 import argparse
+import os
 import pathlib
 import sys
 
@@ -27,6 +28,8 @@ def _parser():
     parser.add_argument('--quick', action='store_true', help='few scenes: a look at the report in minutes')
     parser.add_argument('--only', metavar='RECIPE', action='append',
                         help='detection: this row of the table alone (more than one: repeat the option)')
+    parser.add_argument('--data', metavar='DIR', default=os.environ.get('MIXED_PALLETIZING_DATA', ''),
+                        help='packing: folder with packing/br, published instances (default: MIXED_PALLETIZING_DATA)')
     parser.add_argument('--seed', type=int, default=1, help='of all scenes (default: 1)')
     parser.add_argument('--threads', type=_count, default=1, help='scenes side by side; times are clean with 1')
     parser.add_argument('--quiet', action='store_true', help='no progress on stderr')

@@ -1,5 +1,5 @@
 """`run_experiments packing` and `run_experiments planning`: chapter 4.2 of the source thesis again."""
-from . import packing_numbers, pallet_pictures, plots
+from . import packing_numbers, pallet_pictures, plots, published_packings
 from .measurements import read_lines
 from .orders import Orders, unpacked_counts
 from .page import Page, Row
@@ -52,14 +52,17 @@ def packing(tools, measurer, options, out):
     add_facts(page, [('orders a height', count), ('seed', options.seed), ('time limit', f'{TIME_LIMIT_S:g} s an order')])
     page.heading('Heuristic alone and searches (Fig. 4.22, 4.24)')
     page.text('Every order can be packed completely: it was cut from the full volume. Every packing passed check_packing, which '
-              'shares no code with the packing. The thesis prints these two results as histograms without figures.')
+              'shares no code with the packing. Printed figures are read from the histograms of the thesis.')
     rows, panels, shown = [], [], []
     for height in packing_numbers.HEIGHTS_MM:
         path = orders.generate(height, count)
         series = []
+        left, perfect = packing_numbers.HEURISTIC_LEFT[height], packing_numbers.SEARCH_PERFECT[height]
+        rows.append(Row([f'{height} mm', 'printed, heuristic alone', '', '', '', number(left), '', ''], 'group'))
+        rows.append(['', 'printed, genetic search', f'{100 * perfect:.0f} %', '', '', '', '', ''])
         for i, (method, name) in enumerate(PACKING_METHODS):
             results = orders.pack(path, method, TIME_LIMIT_S)
-            rows.append(Row([f'{height} mm' if i == 0 else '', name, *_summary_cells(results)], '' if i else 'group'))
+            rows.append(['', f'{name}, of {count}', *_summary_cells(results)])
             series.append((name, unpacked_counts(results), plots.SERIES[i % len(plots.SERIES)]))
         panels.append((f'{height} mm', 'boxes left', series))
         shown.append((path, results, f'{height} mm, {name}'))
@@ -67,6 +70,7 @@ def packing(tools, measurer, options, out):
     page.figure(plots.histograms(panels), 'Boxes left an order, as in Fig. 4.22 and 4.24.')
     for path, results, title in shown:
         _gallery(page, path, results, title)
+    published_packings.add(page, orders, options.data, options.quick)
     add_commands(page, tools)
     result = out / 'packing.html'
     result.write_text(page.render(), encoding='utf-8')
@@ -86,7 +90,8 @@ def planning(tools, measurer, options, out):
     for height in packing_numbers.HEIGHTS_MM:
         path = orders.generate(height, count)
         printed = packing_numbers.ROBOTIC[height]
-        rows.append(Row([f'{height} mm', f'printed, of {packing_numbers.ORDERS}', printed[0], '', '', '', '', '',
+        left = packing_numbers.ROBOTIC_LEFT[height]
+        rows.append(Row([f'{height} mm', f'printed, of {packing_numbers.ORDERS}', printed[0], '', '', number(left), '', '',
                          *printed[1:], ''], 'group'))
         series, heuristic = [], None
         for i, (method, name) in enumerate(PLANNING_METHODS):

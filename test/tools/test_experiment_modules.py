@@ -4,13 +4,15 @@ import math
 import pathlib
 import re
 import sys
+import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / 'experiments'))
 
-from mp_experiments import detection_rows, errors, page, plots, statistics, thesis_tables, tools  # noqa: E402
+from mp_experiments import (detection_rows, errors, page, plots, published_packings, statistics,  # noqa: E402
+                            thesis_tables, tools)
 
 
 def summary(**changes):
@@ -84,6 +86,28 @@ class Html(unittest.TestCase):
 
     def test_equal_values_make_a_picture(self):
         self.assertTrue(plots.histograms([('t', 'mm', [('ours', [1.0, 1.0], plots.OURS)])]).startswith(b'\x89PNG'))
+
+
+class PublishedPackings(unittest.TestCase):
+    TEXT = '2\n1 250\n587 233 220\n1\n1 10 0 20 0 30 1 5\n2 251\n587 233 220\n2\n1 1 0 2 0 3 1 4\n2 5 0 6 0 7 1 8\n'
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.file, self.part = pathlib.Path(scratch.name) / 'BR.txt', pathlib.Path(scratch.name) / 'part.txt'
+
+    def test_the_first_instances_are_cut_out(self):
+        self.file.write_text(self.TEXT)
+        published_packings.first_instances(self.file, 1, self.part)
+        self.assertEqual(self.part.read_text(), '1\n1 250\n587 233 220\n1\n1 10 0 20 0 30 1 5\n')
+        published_packings.first_instances(self.file, 9, self.part)
+        self.assertEqual(self.part.read_text(), self.TEXT)
+
+    def test_broken_files_are_named(self):
+        for text in ('', 'words', self.TEXT[:-9]):
+            self.file.write_text(text)
+            with self.assertRaisesRegex(errors.ExperimentError, 'BR.txt: is no BR file'):
+                published_packings.first_instances(self.file, 2, self.part)
 
 
 class Runner(unittest.TestCase):
