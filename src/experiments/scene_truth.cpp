@@ -38,7 +38,7 @@ std::vector<std::size_t> measuredTopPixels(const simulation::Scene& scene,
   const geometry::Pose& world_from_camera = scene.camera.world_from_camera;
   for (std::size_t i = 0; i < capture.mask.size(); ++i) {
     const geometry::ColoredPoint& p = capture.cloud.points[i];
-    if (capture.mask[i] == 0 || !std::isfinite(p.z)) continue;
+    if (capture.mask[i] == 0 || capture.mask[i] > counts.size() || !std::isfinite(p.z)) continue;
     const std::size_t box = capture.mask[i] - 1u;
     const Eigen::Vector3d world = world_from_camera * Eigen::Vector3f(p.x, p.y, p.z).cast<double>();
     const double top = scene.boxes[box].base_z_m + scene.boxes[box].size_m.z();
