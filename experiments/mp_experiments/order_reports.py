@@ -7,7 +7,8 @@ from .report_parts import add_commands, add_facts
 from .statistics import mean, number
 
 TIME_LIMIT_S = 1.0   # of a search, one order
-BUDGET_MS = 300.0    # of one decision
+BUDGET_MS = 100.0    # of one decision
+QUICK_BUDGET_MS = 20.0
 
 SEARCHES = (('ga', "thesis' genetic search"), ('best', 'best'))
 PACKING_METHODS = (('distance', 'distance heuristic alone'), ('dblf', 'heuristic alone (DBLF)'), *SEARCHES)
@@ -79,9 +80,10 @@ def packing(tools, measurer, options, out):
 
 def planning(tools, measurer, options, out):
     count = _settings(options)
+    budget_ms = QUICK_BUDGET_MS if options.quick else BUDGET_MS
     orders = Orders(tools, measurer.folder, options.seed)
     page = Page('Picking from what has arrived')
-    add_facts(page, [('orders a height', count), ('seed', options.seed), ('budget', f'{BUDGET_MS:g} ms a decision')])
+    add_facts(page, [('orders a height', count), ('seed', options.seed), ('budget', f'{budget_ms:g} ms a decision')])
     page.heading('The next pick, step by step (Fig. 4.28, Table 4.8)')
     page.text('Three boxes are in view; after each pick the next arrives; when none of the three fits they are discarded. Better, '
               'equal and worse: orders with fewer, as many and more boxes left than the heuristic alone. The thesis\' figures are '
@@ -95,7 +97,7 @@ def planning(tools, measurer, options, out):
                          *printed[1:], ''], 'group'))
         series, heuristic = [], None
         for i, (method, name) in enumerate(PLANNING_METHODS):
-            results = orders.plan(path, method, BUDGET_MS)
+            results = orders.plan(path, method, budget_ms)
             heuristic = heuristic or results
             rows.append(['', f'{name}, of {count}', *_summary_cells(results), *_compared(results, heuristic),
                          number(max(r['decision_ms']['max'] for r in results), 0)])
