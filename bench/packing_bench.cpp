@@ -9,6 +9,7 @@
 
 #include <mixed_palletizing/instances/generator.hpp>
 #include <mixed_palletizing/packing/genetic_search.hpp>
+#include <mixed_palletizing/packing/key_genetic_search.hpp>
 #include <mixed_palletizing/packing/pallet_state.hpp>
 #include <mixed_palletizing/packing/placement_rule.hpp>
 
@@ -65,6 +66,44 @@ void BM_DblfMixedSizes(benchmark::State& state) {
   packAgain(state, packing::PalletState(order.rules), order.types, instances::expandedItems(order));
 }
 BENCHMARK(BM_DblfMixedSizes)->Arg(50)->Arg(100)->Arg(200)->Arg(500)->Arg(1000);
+
+/// The naive space list beside it: all spaces worked out anew from the placed boxes after every box.
+void BM_DblfSpacesFromScratch(benchmark::State& state) {
+  const packing::Order order = mixedOrder(static_cast<int>(state.range(0)));
+  std::size_t placed = 0;
+  for (auto _ : state) {
+    std::vector<packing::Placement> placements;
+    for (const int item : instances::expandedItems(order)) {
+      packing::PalletState pallet(order);
+      for (const packing::Placement& p : placements) pallet.place(p);
+      const auto found = packing::findPlacement(pallet, order.types[static_cast<std::size_t>(item)], item,
+                                                packing::PlacementRule::kDblf);
+      if (found) placements.push_back(*found);
+    }
+    placed += placements.size();
+  }
+  state.counters["boxes/s"] = benchmark::Counter(static_cast<double>(placed), benchmark::Counter::kIsRate);
+}
+BENCHMARK(BM_DblfSpacesFromScratch)->Arg(50)->Arg(500);
+
+/// The list of all empty maximal spaces, whether supported or not.
+void BM_DblfEmptySpaces(benchmark::State& state) {
+  const packing::Order order = mixedOrder(static_cast<int>(state.range(0)));
+  packAgain(state, packing::PalletState(order, packing::SpaceKind::kEmpty), order.types,
+            instances::expandedItems(order));
+}
+BENCHMARK(BM_DblfEmptySpaces)->Arg(50)->Arg(500);
+
+/// Every type limits the load on its top.
+void BM_DblfLoads(benchmark::State& state) {
+  packing::Order order = mixedOrder(static_cast<int>(state.range(0)));
+  for (packing::ItemType& type : order.types) {
+    type.weight_kg = 5.0;
+    type.max_load_kg = 60.0;
+  }
+  packAgain(state, packing::PalletState(order), order.types, instances::expandedItems(order));
+}
+BENCHMARK(BM_DblfLoads)->Arg(50)->Arg(500);
 
 /// The first half of an order on the pallet.
 packing::PalletState halfPacked(const packing::Order& order, const std::vector<int>& items) {
@@ -125,6 +164,26 @@ void BM_GeneticSearch(benchmark::State& state) {
       benchmark::Counter(static_cast<double>(evaluations), benchmark::Counter::kIsRate);
 }
 BENCHMARK(BM_GeneticSearch)->Arg(600)->Arg(800)->Arg(1200)->Unit(benchmark::kMillisecond);
+
+void BM_RandomKeySearch(benchmark::State& state) {
+  std::int64_t evaluations = 0;
+  std::uint64_t index = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    instances::GeneratorOptions generator;
+    generator.pallet.z = static_cast<int>(state.range(0));
+    const instances::Instance instance =
+        instances::generateInstance(generator, kSeed, static_cast<int>(index++ % 50));
+    packing::KeyGeneticOptions options;
+    options.generations = 10;
+    state.ResumeTiming();
+    packing::keyGeneticSearch(packing::PalletState(instance.order), instance.order.types, instance.arrival,
+                              options, [&] { return ++evaluations, false; });
+  }
+  state.counters["evaluations/s"] =
+      benchmark::Counter(static_cast<double>(evaluations), benchmark::Counter::kIsRate);
+}
+BENCHMARK(BM_RandomKeySearch)->Arg(600)->Arg(1200)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

@@ -122,7 +122,9 @@ void CommandLine::choice(const std::string& name, std::string* value, const std:
   option(name, value, help + ": " + joined(choices, ", "));
 }
 
-bool CommandLine::given(const std::string& name) const { return impl_->values.count(name) > 0; }
+bool CommandLine::given(const std::string& name) const {
+  return impl_->values.count(name) > 0 && !impl_->values[name].defaulted();
+}
 
 void CommandLine::requireChoices() const {
   for (const Choice& choice : impl_->choices) {

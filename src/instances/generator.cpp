@@ -6,6 +6,7 @@
 //    filled to the top by heights of the list.
 //    Blocks: a part of the volume may also be cut horizontally, so that a large box stands across smaller
 //    ones.
+//    Cuts: the whole volume is cut across again and again, at any millimetre.
 // 3. The boxes of the packing are the order; they arrive shuffled.
 #include <algorithm>
 #include <map>
@@ -22,6 +23,7 @@ namespace mixed_palletizing::instances {
 namespace {
 
 constexpr int kMaxDivisor = 1 << 20;
+constexpr int kMaxCutBoxes = 10000;
 
 bool isPowerOfTwo(int value) { return value > 0 && (value & (value - 1)) == 0; }
 
@@ -51,7 +53,7 @@ void checkHeights(const GeneratorOptions& options, std::vector<std::string>& fou
     if (height < 1) found.push_back("heights: " + std::to_string(height) + " mm: must be positive");
   }
   if (!found.empty()) return;
-  if (!reachableHeights(options.heights, options.pallet.z).back()) {
+  if (!reachableHeights(heightsOf(options), options.pallet.z).back()) {
     found.push_back("heights: no sum of them is the pallet's height of " + std::to_string(options.pallet.z) +
                     " mm");
   }
@@ -65,11 +67,48 @@ void checkHeights(const GeneratorOptions& options, std::vector<std::string>& fou
   }
 }
 
+void checkCuts(const GeneratorOptions& options, std::vector<std::string>& found) {
+  if (options.boxes < 1 || options.boxes > kMaxCutBoxes) {
+    found.push_back("boxes: " + std::to_string(options.boxes) + ": must be 1 to " +
+                    std::to_string(kMaxCutBoxes));
+  }
+  if (options.min_side < 1) {
+    found.push_back("min_side: " + std::to_string(options.min_side) + " mm: must be positive");
+  }
+  if (!(options.spread >= 0.0 && options.spread <= 1.0)) {
+    found.push_back("spread: " + std::to_string(options.spread) + ": must lie in [0, 1]");
+  }
+}
+
+/// The size under which boxes that can be turned into each other are one type.
+packing::Vec3 typeSize(packing::Vec3 size, const packing::Rotations& rotations) {
+  if (rotations.vertical[0] && rotations.vertical[1] && size.y < size.z) std::swap(size.y, size.z);
+  if (rotations.yaw && size.x < size.y) std::swap(size.x, size.y);
+  if (rotations.vertical[0] && rotations.vertical[1] && size.y < size.z) std::swap(size.y, size.z);
+  return size;
+}
+
+bool sameRotations(const packing::Rotations& a, const packing::Rotations& b) {
+  return a.yaw == b.yaw && a.vertical == b.vertical;
+}
+
+std::string kindName(const GeneratorOptions& options) {
+  std::string name;
+  if (options.structure == PackingStructure::kColumns) name += "_columns";
+  if (options.structure == PackingStructure::kCuts) name += "_cuts";
+  if (options.continuous_heights) name += "_continuous";
+  if (sameRotations(options.rotations, packing::Rotations::yawOnly())) name += "_yaw";
+  if (sameRotations(options.rotations, packing::Rotations::any())) name += "_any";
+  return name;
+}
+
 /// Makes the boxes the order of the instance, its known packing and, in loading order, its arrival.
-void takeOrder(const std::vector<GuillotineFiller::Box>& boxes, Instance& instance) {
+void takeOrder(const std::vector<GuillotineFiller::Box>& boxes, const packing::Rotations& rotations,
+               Instance& instance) {
   // Types in a stable order: large footprints first, then tall ones.
   std::map<std::tuple<std::int64_t, int, int>, int> type_of;
-  const auto key = [](const packing::Vec3& size) {
+  const auto key = [&rotations](const packing::Vec3& placed) {
+    const packing::Vec3 size = typeSize(placed, rotations);
     return std::make_tuple(-static_cast<std::int64_t>(size.x) * size.y, -size.x, -size.z);
   };
   for (const auto& box : boxes) type_of.emplace(key(box.size), 0);
@@ -80,12 +119,21 @@ void takeOrder(const std::vector<GuillotineFiller::Box>& boxes, Instance& instan
   instance.order.counts.assign(type_of.size(), 0);
   for (const auto& box : boxes) {
     const int type = type_of.at(key(box.size));
-    instance.order.types[static_cast<std::size_t>(type)].name = sizeName(box.size);
-    instance.order.types[static_cast<std::size_t>(type)].size = box.size;
+    packing::ItemType& item = instance.order.types[static_cast<std::size_t>(type)];
+    item.size = typeSize(box.size, rotations);
+    item.name = sizeName(item.size);
+    item.rotations = rotations;
     ++instance.order.counts[static_cast<std::size_t>(type)];
     instance.perfect_packing.push_back({type, box.origin, box.size});
     instance.arrival.push_back(type);
   }
+}
+
+std::vector<GuillotineFiller::Box> fillPallet(const GeneratorOptions& options, std::mt19937_64& rng) {
+  if (options.structure == PackingStructure::kCuts) return cutBoxes(options, rng);
+  GuillotineFiller filler(options, rng);
+  filler.fill({0, 0, 0}, options.pallet, 1);
+  return filler.boxes();
 }
 
 }  // namespace
@@ -93,6 +141,7 @@ void takeOrder(const std::vector<GuillotineFiller::Box>& boxes, Instance& instan
 std::optional<PackingStructure> packingStructureFromString(const std::string& word) {
   if (word == "columns") return PackingStructure::kColumns;
   if (word == "blocks") return PackingStructure::kBlocks;
+  if (word == "cuts") return PackingStructure::kCuts;
   return std::nullopt;
 }
 
@@ -116,6 +165,15 @@ std::vector<std::string> problems(const GeneratorOptions& options) {
   }
   if (options.n_pick < 1) found.push_back("n_pick: " + std::to_string(options.n_pick) + ": must be positive");
   if (!found.empty()) return found;
+  const packing::Rotations& rotations = options.rotations;
+  if (!sameRotations(rotations, {}) && !sameRotations(rotations, packing::Rotations::yawOnly()) &&
+      !sameRotations(rotations, packing::Rotations::any())) {
+    found.emplace_back("rotations: must be none, yaw or any");
+  }
+  if (options.structure == PackingStructure::kCuts) {
+    checkCuts(options, found);
+    return found;
+  }
   checkFootprints(options, found);
   checkHeights(options, found);
   return found;
@@ -127,9 +185,7 @@ Instance generateInstance(const GeneratorOptions& options, std::uint64_t seed, i
   std::seed_seq seeds{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U),
                       static_cast<std::uint32_t>(index)};
   std::mt19937_64 rng(seeds);
-  GuillotineFiller filler(options, rng);
-  filler.fill({0, 0, 0}, options.pallet, 1);
-  std::vector<GuillotineFiller::Box> boxes = filler.boxes();
+  std::vector<GuillotineFiller::Box> boxes = fillPallet(options, rng);
   // Layer by layer: what stands lower is loaded first.
   std::sort(boxes.begin(), boxes.end(), [](const auto& a, const auto& b) {
     return std::tie(a.origin.z, a.origin.y, a.origin.x) < std::tie(b.origin.z, b.origin.y, b.origin.x);
@@ -137,13 +193,11 @@ Instance generateInstance(const GeneratorOptions& options, std::uint64_t seed, i
 
   Instance instance;
   const std::string digits = std::to_string(index);
-  instance.name = sizeName(options.pallet) +
-                  (options.structure == PackingStructure::kColumns ? "_columns" : "") + "_seed" +
-                  std::to_string(seed) + "_" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') +
-                  digits;
+  instance.name = sizeName(options.pallet) + kindName(options) + "_seed" + std::to_string(seed) + "_" +
+                  std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
   instance.order.rules.size = options.pallet;
   instance.n_pick = options.n_pick;
-  takeOrder(boxes, instance);
+  takeOrder(boxes, options.rotations, instance);
   std::shuffle(instance.arrival.begin(), instance.arrival.end(), rng);
   return instance;
 }

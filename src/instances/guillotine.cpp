@@ -1,6 +1,7 @@
 #include "guillotine.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace mixed_palletizing::instances {
@@ -29,10 +30,20 @@ std::vector<bool> reachableHeights(const std::vector<int>& heights, int total) {
   return reachable;
 }
 
+std::vector<int> heightsOf(const GeneratorOptions& options) {
+  if (!options.continuous_heights || options.heights.empty()) return options.heights;
+  const auto [lowest_at, highest_at] = std::minmax_element(options.heights.begin(), options.heights.end());
+  const int lowest = *lowest_at;
+  std::vector<int> heights(static_cast<std::size_t>(*highest_at - lowest) + 1);
+  std::iota(heights.begin(), heights.end(), lowest);
+  return heights;
+}
+
 GuillotineFiller::GuillotineFiller(const GeneratorOptions& options, std::mt19937_64& rng)
     : options_(options),
+      heights_(heightsOf(options)),
       divisors_(options.footprint_divisors.begin(), options.footprint_divisors.end()),
-      reachable_(reachableHeights(options.heights, options.pallet.z)),
+      reachable_(reachableHeights(heights_, options.pallet.z)),
       rng_(rng) {}
 
 void GuillotineFiller::fill(const packing::Vec3& origin, const packing::Vec3& size, int divisor) {
@@ -67,7 +78,7 @@ int GuillotineFiller::oneOf(const std::vector<int>& choices) {
 void GuillotineFiller::fillColumn(packing::Vec3 origin, const packing::Vec3& size) {
   for (int rest = size.z; rest > 0;) {
     std::vector<int> fitting;
-    for (const int height : options_.heights) {
+    for (const int height : heights_) {
       if (height <= rest && reachable_[static_cast<std::size_t>(rest - height)]) fitting.push_back(height);
     }
     const int height = oneOf(fitting);
@@ -85,6 +96,44 @@ std::vector<int> GuillotineFiller::cuts(int total) const {
     }
   }
   return found;
+}
+
+std::vector<GuillotineFiller::Box> cutBoxes(const GeneratorOptions& options, std::mt19937_64& rng) {
+  using Side = int packing::Vec3::*;
+  const Side sides[] = {&packing::Vec3::x, &packing::Vec3::y, &packing::Vec3::z};
+  const auto uniform = [&rng](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(rng);
+  };
+  const auto canBeCut = [&](const packing::Vec3& size, Side side) {
+    return size.*side >= 2 * options.min_side;
+  };
+  std::vector<GuillotineFiller::Box> whole;  // that cannot be cut any more
+  std::vector<GuillotineFiller::Box> boxes{{{0, 0, 0}, options.pallet}};
+  while (!boxes.empty() && whole.size() + boxes.size() < static_cast<std::size_t>(options.boxes)) {
+    const auto largest = std::max_element(boxes.begin(), boxes.end(), [](const auto& a, const auto& b) {
+      return packing::volume(a.size) < packing::volume(b.size);
+    });
+    GuillotineFiller::Box first = *largest;
+    boxes.erase(largest);
+    std::vector<double> weights;
+    for (const Side side : sides) weights.push_back(canBeCut(first.size, side) ? first.size.*side : 0.0);
+    if (*std::max_element(weights.begin(), weights.end()) <= 0.0) {
+      whole.push_back(first);
+      continue;
+    }
+    const Side side = sides[std::discrete_distribution<std::size_t>(weights.begin(), weights.end())(rng)];
+    const int length = first.size.*side;
+    const double share = uniform(0.5 - options.spread / 2.0, 0.5 + options.spread / 2.0);
+    const int cut = std::clamp(static_cast<int>(share * length), options.min_side, length - options.min_side);
+    GuillotineFiller::Box second = first;
+    first.size.*side = cut;
+    second.origin.*side += cut;
+    second.size.*side -= cut;
+    boxes.push_back(first);
+    boxes.push_back(second);
+  }
+  boxes.insert(boxes.end(), whole.begin(), whole.end());
+  return boxes;
 }
 
 }  // namespace mixed_palletizing::instances

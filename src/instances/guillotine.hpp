@@ -21,6 +21,9 @@ Half halve(const packing::Vec3& part);
 /// reachable[h]: h [mm] is a sum of the heights, each used any number of times; h = 0 ... total.
 std::vector<bool> reachableHeights(const std::vector<int>& heights, int total);
 
+/// options.heights, or every height from the smallest to the largest of them.
+std::vector<int> heightsOf(const GeneratorOptions& options);
+
 class GuillotineFiller {
  public:
   struct Box {
@@ -46,10 +49,15 @@ class GuillotineFiller {
   std::vector<int> cuts(int total) const;
 
   const GeneratorOptions& options_;
+  const std::vector<int> heights_;
   const std::set<int> divisors_;
   const std::vector<bool> reachable_;
   std::mt19937_64& rng_;
   std::vector<Box> boxes_;
 };
+
+/// Boxes that fill the pallet for PackingStructure::kCuts: the largest box that can be cut is cut across one of its
+/// sides, the longer the likelier, until there are options.boxes.
+std::vector<GuillotineFiller::Box> cutBoxes(const GeneratorOptions& options, std::mt19937_64& rng);
 
 }  // namespace mixed_palletizing::instances

@@ -9,10 +9,30 @@
 
 namespace instances = mixed_palletizing::instances;
 
+namespace {
+
+void refuseContradictions(const mixed_palletizing::adapters::CommandLine& line,
+                          const instances::GeneratorOptions& options) {
+  const bool cuts = options.structure == instances::PackingStructure::kCuts;
+  const auto refuse = [&line](const char* name, const char* structure) {
+    if (line.given(name))
+      throw std::invalid_argument("--" + std::string(name) + ": --structure " + structure +
+                                  " has no use for it");
+  };
+  if (cuts) {
+    for (const char* name : {"divisors", "heights", "continuous_heights"}) refuse(name, "cuts");
+  } else {
+    for (const char* name : {"boxes", "min_side", "spread"}) refuse(name, "blocks and columns");
+  }
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   instances::GeneratorOptions options;
   std::vector<int> pallet{options.pallet.x, options.pallet.y};
   std::string structure = "blocks";
+  std::string rotations = "none";
   std::uint64_t seed = 1;
   int count = 1;
   std::string out;
@@ -28,7 +48,16 @@ int main(int argc, char** argv) {
               "shares of the pallet's area: 4 = a quarter; powers of two");
   line.option("heights", &options.heights, "heights of the items [mm]");
   line.option("n_pick", &options.n_pick, "items that can be picked at a time");
-  line.choice("structure", &structure, {"blocks", "columns"}, "of the perfect packing");
+  line.choice("structure", &structure, {"blocks", "columns", "cuts"},
+              "of the perfect packing; cuts = boxes of any size, cut at any millimetre");
+  line.flag("continuous_heights", &options.continuous_heights,
+            "blocks, columns: any height from the smallest to the largest of --heights");
+  line.option("boxes", &options.boxes, "cuts: how many, as far as --min_side allows");
+  line.option("min_side", &options.min_side, "cuts: shortest side of a box [mm]");
+  line.option("spread", &options.spread,
+              "cuts: share of a side, about its middle, in which it is cut; 0 = always in the middle");
+  line.choice("rotations", &rotations, {"none", "yaw", "any"},
+              "of the items; boxes that can be turned into each other are one type");
   return line.run(argc, argv, [&] {
     if (pallet.size() != 2)
       throw std::invalid_argument("--pallet_mm: two numbers are needed, length and width");
@@ -36,6 +65,9 @@ int main(int argc, char** argv) {
     options.pallet.x = pallet[0];
     options.pallet.y = pallet[1];
     options.structure = *instances::packingStructureFromString(structure);
+    if (rotations == "yaw") options.rotations = mixed_palletizing::packing::Rotations::yawOnly();
+    if (rotations == "any") options.rotations = mixed_palletizing::packing::Rotations::any();
+    refuseContradictions(line, options);
     const std::vector<std::string> found = instances::problems(options);
     if (!found.empty()) throw std::invalid_argument(instances::joinFaults(found));
     std::ofstream file(out);

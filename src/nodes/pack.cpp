@@ -17,9 +17,9 @@ int main(int argc, char** argv) {
   std::string spaces = "supported";
   bool keep_going = false;
   bool progress = false;
-  mixed_palletizing::adapters::CommandLine line(
-      "pack",
-      "Packs every order of a file, the sequence free to choose (dblf, distance: in the given order).");
+  mixed_palletizing::adapters::CommandLine line("pack",
+                                                "Packs every order of a file, the sequence free to choose "
+                                                "(dblf, distance, contact, best_fit: in the given order).");
   orders.declare(line);
   line.required("out", &out, "file to write, one JSON object a line");
   line.choice("method", &run.method, packing::packMethodWords(), "best = the strongest search there is");
@@ -32,6 +32,8 @@ int main(int argc, char** argv) {
   line.choice("spaces", &spaces, {"supported", "empty"},
               "maximal spaces that offer places; all rules hold in both");
   line.option("seed", &run.options.seed, "of every random choice");
+  line.option("threads", &run.options.threads,
+              "1 or 2, of brkga and best; --max_evaluations counts for each");
   line.flag("keep-going", &keep_going, "pack the sound orders of a file that has faults");
   line.flag("progress", &progress, "one line an order on stderr");
   return line.run(argc, argv, [&] {

@@ -50,6 +50,7 @@ class BlockSearch::Impl {
 
   bool run(SpaceOrder order, std::size_t width, const StopCallback& stop) {
     order_ = order;
+    last_volume_ = 0;
     std::vector<Node> level{{root_, -1, {}}};
     while (!level.empty() && !complete()) {
       std::vector<Node> next;
@@ -65,6 +66,7 @@ class BlockSearch::Impl {
   }
 
   std::int64_t bestVolume() const { return best_volume_; }
+  std::int64_t lastVolume() const { return last_volume_; }
   bool complete() const { return best_volume_ == all_items_; }
 
   std::vector<Placement> bestPlacements() const {
@@ -104,6 +106,7 @@ class BlockSearch::Impl {
     }
     node.outcome = state.packedVolume();
     node.completion = state.steps();
+    last_volume_ = std::max(last_volume_, node.outcome);
     if (node.outcome <= best_volume_) return;
     best_volume_ = node.outcome;
     best_ = node.completion;
@@ -160,6 +163,7 @@ class BlockSearch::Impl {
   SpaceOrder order_ = SpaceOrder::kNearest;
   std::int64_t all_items_ = 0;
   std::int64_t best_volume_ = 0;
+  std::int64_t last_volume_ = 0;
   std::vector<BlockStep> best_;
 };
 
@@ -174,6 +178,7 @@ bool BlockSearch::run(SpaceOrder order, std::size_t width, const StopCallback& s
 }
 
 std::int64_t BlockSearch::bestVolume() const { return impl_->bestVolume(); }
+std::int64_t BlockSearch::lastVolume() const { return impl_->lastVolume(); }
 bool BlockSearch::complete() const { return impl_->complete(); }
 std::vector<Placement> BlockSearch::bestPlacements() const { return impl_->bestPlacements(); }
 

@@ -35,6 +35,7 @@ class BlockSearch {
   bool run(SpaceOrder order, std::size_t width, const StopCallback& stop);
 
   std::int64_t bestVolume() const;  ///< [mm^3]
+  std::int64_t lastVolume() const;  ///< of the best packing of the last round alone [mm^3]
   bool complete() const;            ///< everything is packed
 
   /// The best packing so far in an order in which it can be loaded.

@@ -22,6 +22,26 @@ SequenceResult thesisSearch(const PalletState& pallet, const std::vector<ItemTyp
   return geneticSearch(pallet, types, items, genetic, 1, stop, passOn).best;
 }
 
+SequenceResult randomKeySearch(const PalletState& pallet, const std::vector<ItemType>& types,
+                               const std::vector<int>& items, const PackOptions& options,
+                               const StopCallback& stop, const PackReport& report) {
+  KeyGeneticOptions genetic = options.key_genetic;
+  genetic.seed = options.seed;
+  genetic.threads = options.threads;
+  const auto passOn = [&report](const GenerationReport& r) {
+    if (report) report({r.generation, r.generations, r.best_utilization});
+  };
+  return keyGeneticSearch(pallet, types, items, genetic, stop, passOn);
+}
+
+/// Of the methods that place the items one by one.
+PlacementRule ruleOf(PackMethod method) {
+  if (method == PackMethod::kDistance) return PlacementRule::kDistance;
+  if (method == PackMethod::kContact) return PlacementRule::kContact;
+  if (method == PackMethod::kBestFit) return PlacementRule::kBestFit;
+  return PlacementRule::kDblf;
+}
+
 void checkItems(const Order& order, const std::vector<int>& items) {
   throwProblems("packOrder", problems(order.rules));
   for (const int type : items) {
@@ -40,7 +60,8 @@ void checkItems(const Order& order, const std::vector<int>& items) {
 }  // namespace
 
 const std::vector<std::string>& packMethodWords() {
-  static const std::vector<std::string> words{"dblf", "distance", "ga", "best"};
+  static const std::vector<std::string> words{"dblf", "distance", "contact", "best_fit",
+                                              "ga",   "brkga",    "best"};
   return words;
 }
 
@@ -51,11 +72,15 @@ std::optional<PackMethod> packMethodFromString(const std::string& word) {
   return static_cast<PackMethod>(found - words.begin());
 }
 
-bool needsBudget(PackMethod method) { return method == PackMethod::kBest; }
+bool needsBudget(PackMethod method) { return method == PackMethod::kBest || method == PackMethod::kBrkga; }
 
 std::vector<std::string> problems(const PackOptions& options) {
   std::vector<std::string> lines;
   for (const std::string& line : problems(options.genetic)) lines.push_back("genetic." + line);
+  for (const std::string& line : problems(options.key_genetic)) lines.push_back("key_genetic." + line);
+  if (options.threads < 1 || options.threads > 2) {
+    lines.push_back("threads: " + std::to_string(options.threads) + ": must be 1 or 2");
+  }
   return lines;
 }
 
@@ -90,7 +115,7 @@ OrderPacking packOrder(const Order& order, const std::vector<int>& items, const 
                        const StopCallback& stop, const PackReport& report) {
   throwProblems("packOrder: options", problems(options));
   if (needsBudget(options.method) && !stop) {
-    throw std::invalid_argument("packOrder: stop: the method best needs a callback that ends it");
+    throw std::invalid_argument("packOrder: stop: this method needs a callback that ends it");
   }
   checkItems(order, items);
   if (options.method == PackMethod::kBest) {
@@ -102,10 +127,10 @@ OrderPacking packOrder(const Order& order, const std::vector<int>& items, const 
   SequenceResult result;
   if (options.method == PackMethod::kGa) {
     result = thesisSearch(pallet, order.types, items, options, stop, report);
+  } else if (options.method == PackMethod::kBrkga) {
+    result = randomKeySearch(pallet, order.types, items, options, stop, report);
   } else {
-    const bool distance = options.method == PackMethod::kDistance;
-    result =
-        packSequence(pallet, order.types, items, distance ? PlacementRule::kDistance : PlacementRule::kDblf);
+    result = packSequence(pallet, order.types, items, ruleOf(options.method));
   }
   return assignItems(result.placements, items, result.utilization);
 }

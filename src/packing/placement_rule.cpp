@@ -9,6 +9,7 @@
 #include <mixed_palletizing/packing/placement_rule.hpp>
 
 #include "level_spaces.hpp"
+#include "scored_rules.hpp"
 
 namespace mixed_palletizing::packing {
 
@@ -114,7 +115,13 @@ std::vector<Placement> allPlacements(const PalletState& state, const std::vector
   return placements;
 }
 
-std::optional<Placement> bestOf(const std::vector<Placement>& placements, PlacementRule rule) {
+std::optional<Placement> bestOf(const PalletState& state, const std::vector<Placement>& placements,
+                                PlacementRule rule) {
+  if (rule == PlacementRule::kContact || rule == PlacementRule::kBestFit) {
+    const Placement* best =
+        rule == PlacementRule::kContact ? mostTouching(state, placements) : bestFitting(state, placements);
+    return best == nullptr ? std::nullopt : std::make_optional(*best);
+  }
   const auto before = [rule](const Placement& a, const Placement& b) {
     const std::int64_t distance_a = rule == PlacementRule::kDistance ? squaredDistance(a.origin) : 0;
     const std::int64_t distance_b = rule == PlacementRule::kDistance ? squaredDistance(b.origin) : 0;
@@ -142,6 +149,8 @@ void checkItem(const std::vector<Vec3>& sizes, int type, const char* function) {
 std::optional<PlacementRule> placementRuleFromString(const std::string& word) {
   if (word == "dblf") return PlacementRule::kDblf;
   if (word == "distance") return PlacementRule::kDistance;
+  if (word == "contact") return PlacementRule::kContact;
+  if (word == "best_fit") return PlacementRule::kBestFit;
   return std::nullopt;
 }
 
@@ -153,8 +162,11 @@ std::optional<Placement> findPlacement(const PalletState& state, const ItemType&
 std::optional<Placement> findPlacement(const PalletState& state, const std::vector<Vec3>& sizes,
                                        int type_index, PlacementRule rule) {
   checkItem(sizes, type_index, "findPlacement");
-  if (!state.fullSupport()) return bestOf(allPlacements(state, sizes, type_index), rule);
+  if (!state.fullSupport()) return bestOf(state, allPlacements(state, sizes, type_index), rule);
   if (!state.carriesWeightOf(type_index)) return std::nullopt;
+  if (rule == PlacementRule::kContact || rule == PlacementRule::kBestFit) {
+    return bestOf(state, allCorners(state, sizes, type_index), rule);
+  }
   return rule == PlacementRule::kDblf ? deepest(state.spaces(), sizes, type_index)
                                       : nearest(state.spaces(), sizes, type_index);
 }

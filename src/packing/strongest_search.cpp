@@ -1,7 +1,7 @@
 #include "strongest_search.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <thread>
 
 namespace mixed_palletizing::packing {
 
@@ -9,22 +9,38 @@ namespace {
 
 constexpr double kWidthGrowth = 1.41421356;  ///< doubles the work of a round (Araya and Riff 2014)
 constexpr double kMaxWidth = 256.0;
-constexpr int kMaxPopulations = 2;     ///< of the genetic search, in those of the options
-constexpr int kDistanceRuleEvery = 4;  ///< rounds of the genetic search
+constexpr int kMaxPopulations = 2;         ///< of the genetic search, in those of the options
+constexpr int kRandomKeyGenerations = 20;  ///< in the first round, then as many more in each
+constexpr int kDistanceRuleEvery = 4;      ///< rounds of the genetic search
+
+constexpr int kLaggardEvery = 3;  ///< rounds in which what has found less has its turn
+constexpr std::array<SpaceOrder, 2> kSpaceOrders{SpaceOrder::kNearest, SpaceOrder::kLowest};
+
+std::int64_t volumeOf(const SequenceResult& found) {
+  std::int64_t packed = 0;
+  for (const Placement& p : found.placements) packed += volume(p.size);
+  return packed;
+}
 
 }  // namespace
 
 StrongestSearch::StrongestSearch(const Order& order, const std::vector<int>& items,
                                  const PackOptions& options, const StopCallback& stop)
-    : order_(order), items_(items), options_(options), stop_(stop), pallet_(order, options.spaces) {}
+    : order_(order),
+      items_(items),
+      options_(options),
+      stop_(stop),
+      second_stop_(stop),
+      pallet_(order, options.spaces) {}
 
 void StrongestSearch::run(const PackReport& report) {
   double width = 1.0;
-  for (int round = 1; round == 1 || (!complete_ && !stop_()); ++round) {
-    geneticRound(round);
-    if (blocksServe() && !complete_ && !stop_()) {
-      blockRound(SpaceOrder::kNearest, static_cast<std::size_t>(width));
-      blockRound(SpaceOrder::kLowest, static_cast<std::size_t>(width));
+  for (int round = 1; round == 1 || goesOn(); ++round) {
+    if (!genetic_lags_ || round % kLaggardEvery == 0) geneticRound(round);
+    if (!blocksServe()) {
+      if (goesOn()) randomKeyRound(round);
+    } else if (goesOn()) {
+      blockRounds(round, static_cast<std::size_t>(width));
       width = std::min(std::max(width + 1.0, width * kWidthGrowth), kMaxWidth);
     }
     if (report) report({round, 0, utilization()});
@@ -44,25 +60,47 @@ void StrongestSearch::geneticRound(int round) {
   genetic.rule = round % kDistanceRuleEvery == 0 ? PlacementRule::kDistance : PlacementRule::kDblf;
   genetic.population *= std::min(round, kMaxPopulations);
   const SequenceResult found = geneticSearch(pallet_, order_.types, items_, genetic, 1, stop_).best;
-  std::int64_t packed = 0;
-  for (const Placement& p : found.placements) packed += volume(p.size);
-  if (packed > volume_) take(found.placements, packed);
-  complete_ = complete_ || found.unpacked.empty();
+  take(found);
+  genetic_lags_ = volumeOf(found) < volume_;
 }
 
-void StrongestSearch::blockRound(SpaceOrder space_order, std::size_t width) {
-  if (!blocks_) {
+void StrongestSearch::randomKeyRound(int round) {
+  KeyGeneticOptions genetic = options_.key_genetic;
+  genetic.seed = options_.seed + static_cast<std::uint64_t>(round - 1);
+  genetic.threads = options_.threads;
+  genetic.generations = kRandomKeyGenerations * round;
+  take(keyGeneticSearch(pallet_, order_.types, items_, genetic, stop_));
+}
+
+void StrongestSearch::blockRounds(int round, std::size_t width) {
+  if (options_.threads > 1) {
+    std::thread second([&] { playBlocks(1, 1, width); });
+    playBlocks(0, 0, width);
+    second.join();
+  } else {
+    const std::size_t leader = order_volumes_[1] > order_volumes_[0] ? 1 : 0;
+    playBlocks(0, leader, width);
+    if (round % kLaggardEvery == 1 && !blocks_[0]->complete()) playBlocks(0, 1 - leader, width);
+  }
+  for (const std::optional<BlockSearch>& search : blocks_) {
+    if (search) takeBlocks(*search);
+  }
+}
+
+void StrongestSearch::playBlocks(std::size_t player, std::size_t space_order, std::size_t width) {
+  std::optional<BlockSearch>& search = blocks_[player];
+  if (!search) {
     std::vector<int> counts(order_.types.size(), 0);
     for (const int type : items_) ++counts[static_cast<std::size_t>(type)];
-    blocks_.emplace(order_.rules.size, order_.types, counts, BlockSearchOptions{});
+    search.emplace(order_.rules.size, order_.types, counts, BlockSearchOptions{});
   }
-  blocks_->run(space_order, width, stop_);
-  if (blocks_->bestVolume() <= volume_) return;
-  const SequenceResult kept = keepRules(blocks_->bestPlacements());
-  std::int64_t packed = 0;
-  for (const Placement& p : kept.placements) packed += volume(p.size);
-  if (packed > volume_) take(kept.placements, packed);
-  complete_ = complete_ || kept.unpacked.empty();
+  if (search->complete()) return;
+  search->run(kSpaceOrders[space_order], width, player == 0 ? stop_ : second_stop_);
+  order_volumes_[space_order] = search->lastVolume();
+}
+
+void StrongestSearch::takeBlocks(const BlockSearch& search) {
+  if (search.bestVolume() > volume_) take(keepRules(search.bestPlacements()));
 }
 
 /// The blocks know nothing of weights: what breaks a limit is left out, then filled up item by item.
@@ -84,9 +122,13 @@ SequenceResult StrongestSearch::keepRules(const std::vector<Placement>& placemen
   return kept;
 }
 
-void StrongestSearch::take(std::vector<Placement> placements, std::int64_t packed) {
-  placements_ = std::move(placements);
-  volume_ = packed;
+void StrongestSearch::take(const SequenceResult& found) {
+  const std::int64_t packed = volumeOf(found);
+  if (packed > volume_) {
+    placements_ = found.placements;
+    volume_ = packed;
+  }
+  complete_ = complete_ || found.unpacked.empty();
 }
 
 }  // namespace mixed_palletizing::packing

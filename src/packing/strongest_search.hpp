@@ -1,6 +1,8 @@
 // The strongest search for an order on one pallet: what the method "best" runs.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -12,8 +14,10 @@
 
 namespace mixed_palletizing::packing {
 
-/// Rounds of the genetic search with a growing population and, where no gap is asked for,
-/// of the block search with a growing width.
+/// Rounds of the genetic search with a growing population and, where no gap is asked for, of the block search with a
+/// growing width; where blocks do not serve, of the random-key search. What has found less has its turn less often.
+/// With two threads the second one plays every other order of spaces of the block search, so that the result does
+/// not depend on their speed unless time ends it.
 class StrongestSearch {
  public:
   /// Keeps references to all arguments. The items' indices and sizes must be good.
@@ -30,19 +34,27 @@ class StrongestSearch {
 
  private:
   bool blocksServe() const;
+  bool goesOn() const { return !complete_ && !stop_(); }
   void geneticRound(int round);
-  void blockRound(SpaceOrder space_order, std::size_t width);
+  void randomKeyRound(int round);
+  void blockRounds(int round, std::size_t width);
+  void playBlocks(std::size_t player, std::size_t space_order, std::size_t width);
+  void takeBlocks(const BlockSearch& search);
   SequenceResult keepRules(const std::vector<Placement>& placements) const;
-  void take(std::vector<Placement> placements, std::int64_t packed);
+  void take(const SequenceResult& found);
 
   const Order& order_;
   const std::vector<int>& items_;
   const PackOptions& options_;
-  const StopCallback& stop_;
+  StopCallback stop_;
+  StopCallback second_stop_;  ///< of the second thread
   PalletState pallet_;
-  std::optional<BlockSearch> blocks_;  ///< made when it is first needed: that takes time
+  /// Made when they are first needed: that takes time. The second one is that of the second thread.
+  std::array<std::optional<BlockSearch>, 2> blocks_;
   std::vector<Placement> placements_;
   std::int64_t volume_ = 0;
+  std::array<std::int64_t, 2> order_volumes_{};  ///< of the last block round in each order of spaces
+  bool genetic_lags_ = false;                    ///< the genetic search found less than the blocks
   bool complete_ = false;
 };
 

@@ -144,6 +144,24 @@ TEST_F(OrderTools, AnOrderTableIsPackedOnSeveralPallets) {
   EXPECT_EQ(lines(read("r.jsonl")).size(), 2U);
 }
 
+TEST_F(OrderTools, FurtherKindsOfOrdersAreGenerated) {
+  for (const std::string kind :
+       {"--structure cuts --boxes 25 --spread 0.8 --rotations any",
+        "--structure columns --continuous_heights --rotations yaw", "--continuous_heights"}) {
+    ASSERT_EQ(generate("--height_mm 600 --count 3 --seed 5 --out " + path("i.jsonl") + " " + kind), 0)
+        << read("err.txt");
+    ASSERT_EQ(run(PACK_TOOL, "--method contact --instances " + path("i.jsonl") + " --out " + path("r.jsonl")),
+              0);
+    EXPECT_EQ(check("i.jsonl", "r.jsonl"), 0) << read("out.txt");
+  }
+  const std::string out = "--height_mm 600 --out " + path("i.jsonl");
+  expectOneClearLine(GENERATE_INSTANCES_TOOL, out + " --structure cuts --heights 100",
+                     "--heights: --structure cuts has no use");
+  expectOneClearLine(GENERATE_INSTANCES_TOOL, out + " --boxes 9",
+                     "--boxes: --structure blocks and columns has no use");
+  expectOneClearLine(GENERATE_INSTANCES_TOOL, out + " --structure cuts --boxes 0", "boxes: 0");
+}
+
 TEST_F(OrderTools, CheckPackingFindsWhatIsWrong) {
   ASSERT_EQ(generate("--height_mm 600 --count 2 --seed 5 --out " + path("i.jsonl")), 0);
   ASSERT_EQ(plan("--instances " + path("i.jsonl") + " --method dblf --out " + path("r.jsonl")), 0);

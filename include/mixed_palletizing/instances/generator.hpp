@@ -14,9 +14,10 @@ namespace mixed_palletizing::instances {
 enum class PackingStructure {
   kColumns,  ///< columns of one footprint each, from the floor to the top
   kBlocks,   ///< boxes also stand across several columns of smaller ones
+  kCuts,     ///< boxes of any size: the volume cut across again and again, at any millimetre
 };
 
-/// Parses "columns" or "blocks"; std::nullopt for another word.
+/// Parses "columns", "blocks" or "cuts"; std::nullopt for another word.
 std::optional<PackingStructure> packingStructureFromString(const std::string& word);
 
 /// Defaults: the thesis' EUR pallet with footprints of 1/4, 1/8 and 1/16 and heights of 300, 200 and 100 mm.
@@ -24,7 +25,15 @@ struct GeneratorOptions {
   packing::Vec3 pallet{1200, 800, 600};
   std::vector<int> footprint_divisors{4, 8, 16};  ///< powers of two: 4 = a quarter of the pallet's area
   std::vector<int> heights{300, 200, 100};        ///< [mm]
+  bool continuous_heights = false;                ///< any from the smallest to the largest of `heights`
   PackingStructure structure = PackingStructure::kBlocks;
+
+  // Of kCuts, which has no use for divisors and heights.
+  int boxes = 40;       ///< to be cut, as far as min_side allows
+  int min_side = 100;   ///< of a box [mm]
+  double spread = 0.5;  ///< share of a side, about its middle, in which it is cut; 0 = always in the middle
+
+  packing::Rotations rotations;  ///< of all items; boxes that can be turned into each other are one type
   int n_pick = 3;
 };
 

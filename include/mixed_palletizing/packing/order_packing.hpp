@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <mixed_palletizing/packing/genetic_search.hpp>
+#include <mixed_palletizing/packing/key_genetic_search.hpp>
 #include <mixed_palletizing/packing/types.hpp>
 
 namespace mixed_palletizing::packing {
@@ -15,11 +16,14 @@ namespace mixed_palletizing::packing {
 enum class PackMethod {
   kDblf,      ///< items one by one in the given order, by DBLF
   kDistance,  ///< the same by the distance rule
+  kContact,   ///< the same by contact
+  kBestFit,   ///< the same by best fit
   kGa,        ///< the thesis' genetic search for the sequence
+  kBrkga,     ///< the random-key genetic search for sequence, rotations and rules
   kBest,      ///< the strongest search there is
 };
 
-/// The words of the methods: "dblf", "distance", "ga", "best".
+/// The words of the methods: "dblf", "distance", "contact", "best_fit", "ga", "brkga", "best".
 const std::vector<std::string>& packMethodWords();
 
 /// Parses one of packMethodWords(); std::nullopt for another word.
@@ -31,7 +35,9 @@ bool needsBudget(PackMethod method);
 struct PackOptions {
   PackMethod method = PackMethod::kBest;
   GeneticOptions genetic{30, 2, 10};         ///< of kGa: the thesis' packing experiment (4.2)
-  std::uint64_t seed = 1;                    ///< of every random choice; replaces genetic.seed
+  KeyGeneticOptions key_genetic;             ///< of kBrkga
+  std::uint64_t seed = 1;                    ///< of every random choice; replaces those of the searches
+  int threads = 1;                           ///< 1 or 2, of kBrkga and kBest; replaces key_genetic.threads
   SpaceKind spaces = SpaceKind::kSupported;  ///< that offer places; all rules hold in both
 };
 
@@ -57,8 +63,9 @@ struct OrderPacking {
 };
 
 /// Packs `items` (type indices, in their given order) of `order`, whose counts do not matter here, onto an
-/// empty pallet. kBest goes on until everything is packed or `stop` says so, so it needs one; both callbacks
-/// may be empty otherwise. Throws std::invalid_argument for broken rules, options or type indices.
+/// empty pallet. kBrkga and kBest go on until everything is packed or `stop` says so, so they need one; both
+/// callbacks may be empty otherwise. With two threads kBest asks two copies of `stop`, each in its thread, so that what
+/// they refer to must bear that. Throws std::invalid_argument for broken rules, options or type indices.
 OrderPacking packOrder(const Order& order, const std::vector<int>& items, const PackOptions& options,
                        const StopCallback& stop, const PackReport& report = {});
 

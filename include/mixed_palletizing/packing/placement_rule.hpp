@@ -14,14 +14,17 @@ namespace mixed_palletizing::packing {
 enum class PlacementRule {
   kDblf,      ///< deepest, then bottom, then left with fill (Karabulut and Inceoglu 2004)
   kDistance,  ///< nearest to the pallet's origin (thesis 4.2.3)
+  kContact,  ///< at a corner of a space where the largest share of the sides touches boxes or the pallet's sides
+  kBestFit,  ///< at a corner of the space whose base leaves the narrowest strip beside the item
 };
 
-/// Parses "dblf" or "distance"; std::nullopt for another word.
+/// Parses "dblf", "distance", "contact" or "best_fit"; std::nullopt for another word.
 std::optional<PlacementRule> placementRuleFromString(const std::string& word);
 
 /// The place the rule gives an item of `type` (index `type_index`), or std::nullopt when it fits nowhere.
-/// Ties go to the earlier of orientations(type). With full support the place is the rule's best of all valid
-/// ones; below it, of those that cornerPlacements() tries. Throws
+/// Ties go to the lower, then the nearer to the origin, then the earlier of orientations(type). With fullSupport() the
+/// place is the best of all valid ones by kDblf and kDistance, and the best of all corners of the spaces by the others;
+/// without, the best of those that cornerPlacements() tries. Throws
 /// std::invalid_argument for a negative index or a size that is not positive.
 std::optional<Placement> findPlacement(const PalletState& state, const ItemType& type, int type_index,
                                        PlacementRule rule);

@@ -1,9 +1,13 @@
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <random>
 #include <set>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+
+#include <mixed_palletizing/instances/files.hpp>
 
 #include "support.hpp"
 
@@ -117,6 +121,54 @@ TEST(Arrival, isTheGivenOneOrDrawnFromTheSeed) {
   EXPECT_NE(drawn, arrivalOf(instance, 8));
   std::sort(drawn.begin(), drawn.end());
   EXPECT_EQ(drawn, expandedItems(instance.order));
+}
+
+TEST(Generator, furtherKindsHavePerfectPackingsToo) {
+  std::vector<GeneratorOptions> kinds(6);
+  kinds[0].continuous_heights = true;
+  kinds[1].structure = PackingStructure::kColumns;
+  kinds[1].continuous_heights = true;
+  kinds[1].rotations = packing::Rotations::yawOnly();
+  kinds[2].structure = PackingStructure::kCuts;
+  kinds[3].structure = PackingStructure::kCuts;
+  kinds[3].rotations = packing::Rotations::any();
+  kinds[3].spread = 1.0;
+  kinds[4].structure = PackingStructure::kCuts;
+  kinds[4].rotations = packing::Rotations::yawOnly();
+  kinds[4].spread = 0.0;
+  kinds[5].rotations = packing::Rotations::any();
+  std::set<std::string> names;
+  for (const GeneratorOptions& options : kinds) {
+    for (int index = 0; index < 30; ++index) {
+      const Instance instance = generateInstance(options, 51, index);
+      EXPECT_TRUE(names.insert(instance.name).second) << instance.name;
+      EXPECT_EQ(joinFaults(problems(instance)), "") << instance.name;
+      EXPECT_EQ(instance.order.itemVolume(), packing::volume(options.pallet)) << instance.name;
+      EXPECT_EQ(formatInstance(parseInstance(formatInstance(instance))), formatInstance(instance));
+      for (const packing::Placement& p : instance.perfect_packing) {
+        if (options.structure != PackingStructure::kCuts) continue;
+        EXPECT_GE(std::min({p.size.x, p.size.y, p.size.z}), options.min_side);
+      }
+      if (options.structure == PackingStructure::kCuts) {
+        EXPECT_EQ(instance.order.itemCount(), options.boxes) << instance.name;
+      }
+    }
+  }
+}
+
+TEST(Generator, refusesKindsThatCannotBeMade) {
+  for (int broken = 0; broken < 6; ++broken) {
+    GeneratorOptions options;
+    options.structure = PackingStructure::kCuts;
+    if (broken == 0) options.boxes = 0;
+    if (broken == 1) options.boxes = 100000000;
+    if (broken == 2) options.min_side = 0;
+    if (broken == 3) options.spread = std::nan("");
+    if (broken == 4) options.spread = 1.1;
+    if (broken == 5) options.rotations = {false, {true, false, false}};
+    EXPECT_EQ(problems(options).size(), 1U) << broken;
+    EXPECT_THROW(generateInstance(options, 1, 0), std::invalid_argument);
+  }
 }
 
 }  // namespace

@@ -100,11 +100,15 @@ TEST(Rules, everyMethodKeepsThemAll) {
       PackRun run;
       run.options.method = *packing::packMethodFromString(word);
       run.options.seed = rng();
+      run.options.threads = draw(rng, 1, 2);
       run.options.spaces = rng() % 4 == 0 ? packing::SpaceKind::kEmpty : packing::SpaceKind::kSupported;
       run.time_limit_s = 0.0;
       run.max_evaluations = 20;
       run.max_pallets = draw(rng, 0, 2);
-      const PackingResult packed = packInstance(instance, run);
+      PackingResult packed = packInstance(instance, run);
+      PackingResult again = packInstance(instance, run);
+      again.decision_ms = packed.decision_ms = {};
+      ASSERT_EQ(formatResult(packed, instance), formatResult(again, instance)) << word << ", round " << round;
       const PackingResult result = parseResult(formatResult(packed, instance), instance);
       ASSERT_EQ(joinFaults(checkResult(instance, result)), "")
           << word << ", seed 42, round " << round << ", " << formatInstance(instance);
