@@ -58,7 +58,39 @@ class BrReader {
  public:
   explicit BrReader(std::string stem) : stem_(std::move(stem)) {}
 
+  /// A fault in a value spoils its instance; a line of another shape ends the reading, as the lines after it cannot be
+  /// told apart.
   void take(const std::string& line) {
+    lost_ = true;
+    takeLine(line);
+    lost_ = false;
+  }
+
+  /// Of the last line: throws its fault.
+  void throwFault() const {
+    if (!fault_.empty()) throw std::invalid_argument(fault_);
+  }
+
+  bool lost() const { return lost_; }
+  bool complete() const { return expected_ == Line::kEnd; }
+  std::vector<Instance> takeInstances() { return std::move(instances_); }
+
+ private:
+  enum class Line { kInstanceCount, kId, kContainer, kTypeCount, kType, kEnd };
+
+  /// Keeps the fault that `read` throws.
+  template <typename Read>
+  void judge(const Read& read) {
+    try {
+      read();
+    } catch (const std::invalid_argument& error) {
+      fault_ = error.what();
+      sound_ = false;
+    }
+  }
+
+  void takeLine(const std::string& line) {
+    fault_.clear();
     switch (expected_) {
       case Line::kInstanceCount:
         instances_left_ = integersOf(line, 1)[0];
@@ -66,13 +98,14 @@ class BrReader {
         break;
       case Line::kId:
         instance_ = Instance();
+        sound_ = true;
         instance_.name = stem_ + "_" + std::to_string(integersOf(line, 2)[0]);
         expected_ = Line::kContainer;
         break;
       case Line::kContainer: {
         const auto n = integersOf(line, 3);
-        instance_.order.rules.size = size(n[0], n[1], n[2]);
         expected_ = Line::kTypeCount;
+        judge([&] { instance_.order.rules.size = size(n[0], n[1], n[2]); });
         break;
       }
       case Line::kTypeCount:
@@ -88,14 +121,21 @@ class BrReader {
     }
   }
 
-  bool complete() const { return expected_ == Line::kEnd; }
-  std::vector<Instance> takeInstances() { return std::move(instances_); }
-
- private:
-  enum class Line { kInstanceCount, kId, kContainer, kTypeCount, kType, kEnd };
-
   void takeType(const std::string& line) {
     const auto n = integersOf(line, 8);
+    judge([&] { addType(n); });
+    if (--types_left_ > 0) return;
+    expected_ = --instances_left_ > 0 ? Line::kId : Line::kEnd;
+    if (!sound_) return;
+    const std::vector<std::string> found = problems(instance_);
+    if (found.empty()) {
+      instances_.push_back(instance_);
+    } else {
+      fault_ = instance_.name + ": " + joinFaults(found);
+    }
+  }
+
+  void addType(const std::vector<long long>& n) {
     packing::ItemType type;
     type.name = "t" + std::to_string(n[0]);
     type.size = size(n[1], n[3], n[5]);
@@ -106,11 +146,6 @@ class BrReader {
     }
     instance_.order.types.push_back(type);
     instance_.order.counts.push_back(static_cast<int>(n[7]));
-    if (--types_left_ > 0) return;
-    const std::vector<std::string> found = problems(instance_);
-    if (!found.empty()) throw std::invalid_argument(instance_.name + ": " + joinFaults(found));
-    instances_.push_back(instance_);
-    expected_ = --instances_left_ > 0 ? Line::kId : Line::kEnd;
   }
 
   const std::string stem_;
@@ -118,6 +153,9 @@ class BrReader {
   long long instances_left_ = 0;
   long long types_left_ = 0;
   Instance instance_;
+  bool sound_ = true;  ///< nothing of the instance was faulty so far
+  bool lost_ = false;
+  std::string fault_;
   std::vector<Instance> instances_;
 };
 
@@ -127,7 +165,9 @@ InstanceFile readBrFile(const std::string& path) {
   InstanceFile file;
   BrReader reader(stemOf(path));
   forEachLine(path, file.faults, [&](const std::string& line, int, std::vector<std::string>&) {
-    if (file.faults.empty()) reader.take(line);
+    if (reader.lost()) return;
+    reader.take(line);
+    reader.throwFault();
   });
   if (file.faults.empty() && !reader.complete()) {
     file.faults.push_back(path + ": ends in the middle of an instance");

@@ -75,8 +75,9 @@ void PackSummary::add(const Instance& instance, const PackingResult& result) {
 std::string PackSummary::text() const {
   std::ostringstream out;
   out << std::fixed << std::setprecision(2) << "orders " << orders_ << "  packed completely " << complete_
-      << "  pallets " << pallets_ << ", at least " << least_pallets_ << " by volume  mean utilization "
-      << (orders_ == 0 ? 0.0 : 100.0 * utilization_ / orders_) << " %";
+      << "  pallets " << pallets_ << ", at least " << least_pallets_
+      << " by volume and weight  mean utilization " << (orders_ == 0 ? 0.0 : 100.0 * utilization_ / orders_)
+      << " %";
   return out.str();
 }
 

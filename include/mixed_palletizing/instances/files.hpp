@@ -31,7 +31,8 @@ InstanceFile readInstanceFile(const std::string& path);
 
 /// All instances of a BR text file (Bischoff and Ratcliff 1995): centimetres become millimetres, the flags
 /// tell which side may stand vertical, turning about the vertical is free. The names are those of file and
-/// instance ("BR1_3"). The first fault ends the reading, as the lines after it cannot be told apart.
+/// instance ("BR1_3"). A faulty value spoils its instance; a line of another shape ends the reading, as
+/// the lines after it cannot be told apart.
 InstanceFile readBrFile(const std::string& path);
 
 /// The same, but any fault throws std::invalid_argument with all of them.

@@ -25,7 +25,7 @@ std::vector<std::string> problems(const PackRun& run);
 /// the same result. Throws std::invalid_argument for broken options.
 PackingResult packInstance(const Instance& instance, const PackRun& run);
 
-/// "orders 150  packed completely 150  pallets 420, at least 400 by volume  mean utilization 86.20 %".
+/// "orders 150  packed completely 150  pallets 420, at least 400 by volume and weight  mean utilization 86.20 %".
 class PackSummary {
  public:
   void add(const Instance& instance, const PackingResult& result);

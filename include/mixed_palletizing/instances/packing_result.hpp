@@ -27,7 +27,7 @@ struct PackingResult {
   std::string name;
   std::vector<ResultPlacement> placements;  ///< in loading order, pallet by pallet
   std::vector<int> unpacked;                ///< item indices
-  double utilization = 0.0;  ///< packed volume over that of all pallets
+  double utilization = 0.0;                 ///< packed volume over that of all pallets
   DecisionTimes decision_ms;
   std::string method;
   std::uint64_t seed = 0;

@@ -222,6 +222,19 @@ TEST(BrFile, namesItsFaults) {
   }
 }
 
+TEST(BrFile, keepsTheInstancesBesideAFaultyOne) {
+  const std::string one = std::string(kBr).substr(std::string(kBr).find('\n') + 1);
+  const std::string text = "3\n" + one + replaced(one, "108", "0") + one;
+  const std::string path = test::writeFile("BR9.txt", text);
+  const InstanceFile file = readBrFile(path);
+  EXPECT_EQ(file.instances.size(), 2U);
+  ASSERT_EQ(file.faults.size(), 1U);
+  EXPECT_EQ(file.faults[0].find(path + ":10: length of 0 cm"), 0U) << file.faults[0];
+  EXPECT_EQ(readBrFile(test::writeFile("BR9.txt", "2\n" + replaced(one, " 40", "") + one)).instances.size(),
+            0U)
+      << "who knows where the next one begins";
+}
+
 TEST(BrFile, readsThePublicFiles) {
   const std::string folder = test::dataFolder();
   if (folder.empty()) GTEST_SKIP() << "no shared test data (MIXED_PALLETIZING_DATA)";
