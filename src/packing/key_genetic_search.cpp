@@ -14,10 +14,10 @@
 #include <thread>
 
 #include <mixed_palletizing/packing/key_genetic_search.hpp>
+#include <mixed_palletizing/packing/random.hpp>
 
 #include "key_decoder.hpp"
 #include "messages.hpp"
-#include "random.hpp"
 
 namespace mixed_palletizing::packing {
 
