@@ -42,6 +42,26 @@ BENCHMARK(captureSixBoxes)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
+/// The same with uneven boxes, thousands of triangles each, and all effects; argument: threads.
+void captureSixUnevenBoxes(benchmark::State& state) {
+  Scene scene = sixBoxes(true);
+  for (SceneBox& box : scene.boxes) {
+    box.shape.bulge_m = 0.006;
+    box.shape.rounding_m = 0.006;
+    box.shape.dents = {{{0.02, 0.02}, 0.03, 0.01}, {{-0.05, -0.04}, 0.02, 0.008}};
+  }
+  std::uint64_t seed = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(capture(scene, ++seed, static_cast<int>(state.range(0))));
+  }
+}
+BENCHMARK(captureSixUnevenBoxes)
+    ->ArgName("threads")
+    ->Arg(1)
+    ->Arg(2)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
 }  // namespace
 
 BENCHMARK_MAIN();

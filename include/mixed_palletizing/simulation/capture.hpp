@@ -11,9 +11,9 @@ namespace mixed_palletizing::simulation {
 
 struct Capture {
   geometry::OrganizedCloud cloud;
-  std::vector<std::uint16_t>
-      mask;  ///< row-major, also where the cloud has no data: 0 = floor, surfaces, nothing; i + 1 = scene.boxes[i];
-             ///< after the boxes come scene.objects
+  /// Row-major, also where the cloud has no data: 0 = floor, surfaces, nothing; i + 1 = scene.boxes[i]; after the
+  /// boxes come scene.objects.
+  std::vector<std::uint16_t> mask;
   std::vector<std::size_t> visible_pixels;         ///< per box: pixels of the mask
   std::vector<std::size_t> object_visible_pixels;  ///< per object, likewise
   /// Per box: pixels of its top in the image over those that it would have alone before an unlimited image,

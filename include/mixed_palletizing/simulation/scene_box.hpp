@@ -38,8 +38,8 @@ struct BoxDent {
 struct BoxFlap {
   BoxFace side = BoxFace::kPlusX;  ///< one of the four sides
   double length_m = 0.08;          ///< from the hinge to the free edge
-  double angle_rad =
-      2.356194490192345;  ///< of opening: 0 lies on the top, pi / 2 stands, pi is level outwards
+  /// Of opening: 0 lies on the top, pi / 2 stands, pi is level outwards.
+  double angle_rad = 2.356194490192345;
 };
 
 /// How the box departs from the cuboid of its nominal size; nothing by default.
