@@ -96,6 +96,10 @@ PickPlannerOptions readPickPlannerOptions(const YAML::Node& tree) {
                                              {{"lexicographic", planning::CostComparison::kLexicographic},
                                               {"mean", planning::CostComparison::kMean}});
   readGenetic(planner.section("genetic"), options.planner.genetic);
+  OptionReader gripper = planner.section("gripper");
+  gripper.read("size_x_mm", options.planner.gripper.size_x);
+  gripper.read("size_y_mm", options.planner.gripper.size_y);
+  gripper.read("reach_mm", options.planner.gripper.reach);
   std::vector<std::string> wrong;
   readBest(planner.section("best"), options.planner.best, wrong);
   OptionReader plan = reader.section("plan");

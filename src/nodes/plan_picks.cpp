@@ -42,7 +42,7 @@ instances::PackingResult toResult(const instances::Instance& instance, const pla
 int main(int argc, char** argv) {
   planning::PlayOptions options;
   mixed_palletizing::adapters::OrderFileOptions orders;
-  std::string out, policy, method = "best";
+  std::string out, policy, method = "best", knowledge = "set";
   int threads = 1;
   bool keep_going = false, progress = false;
   mixed_palletizing::adapters::CommandLine line("plan_picks",
@@ -50,6 +50,8 @@ int main(int argc, char** argv) {
   orders.declare(line);
   line.required("out", &out, "results, one JSON object a line");
   line.choice("method", &method, {"dblf", "ga", "best"}, "of planning");
+  line.choice("knowledge", &knowledge, {"set", "types"},
+              "of the items to come: how many of each type, or types");
   line.option("budget_ms", &options.budget_ms,
               "per decision; 0 = as many as the iterations take, reproducible");
   line.option("samples", &options.planner.best.samples,
@@ -62,6 +64,7 @@ int main(int argc, char** argv) {
   line.flag("progress", &progress, "show progress although stderr is no terminal");
   return line.run(argc, argv, [&] {
     options.planner.method = *planning::planMethodFromString(method);
+    if (knowledge == "types") options.knowledge = planning::Knowledge::kTypes;
     if (!policy.empty()) options.planner.best.weights = planning::readPolicyWeights(policy);
     if (threads < 1) throw std::invalid_argument("threads: " + std::to_string(threads) + ": at least 1");
     progress = progress || isatty(STDERR_FILENO) != 0;

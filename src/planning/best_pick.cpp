@@ -94,11 +94,14 @@ void chooseByPlayouts(const Situation& situation, const PlannerOptions& options,
   if (types.empty()) return;
   std::vector<Playout> engines;
   for (int i = 0; i < options.best.threads; ++i) {
-    engines.emplace_back(situation.types, situation.pallet.rules(), options.best.weights);
+    engines.emplace_back(situation.types, situation.pallet.rules(), options.best.weights, options.gripper);
   }
   const std::vector<ScoredPlacement> pairs =
-      scoredPlacements(situation.pallet, types, situation.remaining, engines.front().policy(), stop);
-  int chosen_type = types.front();
+      scoredPlacements(situation.pallet, types, withExpected(situation).remaining, options.gripper,
+                       engines.front().policy(), stop);
+  int chosen_type = *std::max_element(types.begin(), types.end(), [&](int a, int b) {
+    return engines.front().policy().itemVolume(a) < engines.front().policy().itemVolume(b);
+  });
   if (!pairs.empty()) {
     const auto raced = std::min(pairs.size(), static_cast<std::size_t>(options.best.candidates));
     PlayoutRace race(situation, {pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(raced)}, engines,

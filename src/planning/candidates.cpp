@@ -1,6 +1,7 @@
 #include "candidates.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mixed_palletizing::planning {
 
@@ -21,7 +22,10 @@ std::string availableProblem(const std::vector<int>& available, const std::vecto
   return {};
 }
 
-std::string whyNowhere(const packing::PalletState& pallet, const packing::ItemType& type) {
+std::string whyNowhere(const packing::PalletState& pallet, const packing::ItemType& type, int type_index) {
+  if (!pallet.carriesWeightOf(type_index)) {
+    return "the pallet would be heavier than " + std::to_string(pallet.rules().max_weight_kg) + " kg";
+  }
   int height_left = 0;  // over the places with room for the footprint
   int lowest = 0;       // height the item needs there
   for (const packing::Vec3& size : packing::orientations(type)) {
@@ -36,7 +40,8 @@ std::string whyNowhere(const packing::PalletState& pallet, const packing::ItemTy
   if (height_left < lowest) {
     return "where its footprint has room, at most " + std::to_string(height_left) + " mm of height are left";
   }
-  return "where it has room, its support is not sufficient";
+  return "where it has room, it would be held too little, overload what is below, or the gripper would touch "
+         "other boxes";
 }
 
 std::vector<int> restItems(std::vector<int> remaining, int type) {
@@ -46,6 +51,14 @@ std::vector<int> restItems(std::vector<int> remaining, int type) {
     items.insert(items.end(), static_cast<std::size_t>(remaining[i]), static_cast<int>(i));
   }
   return items;
+}
+
+Situation withExpected(const Situation& situation) {
+  Situation expected{situation.pallet, situation.types, situation.available, situation.remaining};
+  for (std::size_t t = 0; t < situation.forecast.size(); ++t) {
+    expected.remaining[t] += static_cast<int>(std::lround(situation.forecast[t]));
+  }
+  return expected;
 }
 
 std::size_t firstOfType(const std::vector<int>& available, std::size_t i) {

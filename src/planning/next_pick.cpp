@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 #include <mixed_palletizing/packing/placement_rule.hpp>
 #include <mixed_palletizing/planning/next_pick.hpp>
@@ -9,11 +10,28 @@
 #include "best_pick.hpp"
 #include "candidates.hpp"
 #include "genetic_pick.hpp"
+#include "scored_placements.hpp"
 
 namespace mixed_palletizing::planning {
 namespace {
 
-Decision feasibleOptions(const Situation& situation, packing::PlacementRule rule) {
+/// The place the rule gives an item among those that the gripper reaches.
+std::optional<packing::Placement> findReachable(const packing::PalletState& pallet,
+                                                const packing::ItemType& item, int type,
+                                                packing::PlacementRule rule, const GripperEnvelope& gripper) {
+  const auto found = packing::findPlacement(pallet, item, type, rule);
+  if (!found || clears(gripper, pallet, *found)) return found;
+  std::vector<packing::Placement> placements;
+  placementsOf(pallet, packing::orientations(item), type, Trials::kThorough, gripper, placements);
+  const auto key = [](const packing::Placement& p) {
+    return std::make_tuple(p.origin.z, p.origin.y, p.origin.x);
+  };
+  const auto best = std::min_element(placements.begin(), placements.end(),
+                                     [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  return best == placements.end() ? std::nullopt : std::make_optional(*best);
+}
+
+Decision feasibleOptions(const Situation& situation, const PlannerOptions& options) {
   Decision decision;
   for (std::size_t i = 0; i < situation.available.size(); ++i) {
     const std::size_t first = firstOfType(situation.available, i);
@@ -24,15 +42,35 @@ Decision feasibleOptions(const Situation& situation, packing::PlacementRule rule
     const int type = situation.available[i];
     const packing::ItemType& item = situation.types[static_cast<std::size_t>(type)];
     PickOption option;
-    if (const auto placement = packing::findPlacement(situation.pallet, item, type, rule)) {
+    if (const auto placement =
+            findReachable(situation.pallet, item, type, options.genetic.rule, options.gripper)) {
       option.feasible = true;
       option.placement = *placement;
     } else {
-      option.reason = whyNowhere(situation.pallet, item);
+      option.reason = whyNowhere(situation.pallet, item, type);
     }
     decision.options.push_back(std::move(option));
   }
   return decision;
+}
+
+void check(const Situation& situation, const PlannerOptions& options) {
+  const std::vector<std::string> found = problems(options);
+  if (!found.empty()) throw std::invalid_argument("chooseNextPick: options: " + found.front());
+  if (situation.remaining.size() != situation.types.size()) {
+    throw std::invalid_argument("chooseNextPick: remaining: " + std::to_string(situation.remaining.size()) +
+                                " counts for " + std::to_string(situation.types.size()) + " types");
+  }
+  if (!situation.forecast.empty() && situation.forecast.size() != situation.types.size()) {
+    throw std::invalid_argument("chooseNextPick: forecast: " + std::to_string(situation.forecast.size()) +
+                                " counts for " + std::to_string(situation.types.size()) + " types");
+  }
+  for (const double expected : situation.forecast) {
+    if (expected >= 0.0 && expected <= packing::kMaxItems) continue;
+    throw std::invalid_argument("chooseNextPick: forecast: " + std::to_string(expected) + " is no count");
+  }
+  const std::string problem = availableProblem(situation.available, situation.remaining);
+  if (!problem.empty()) throw std::invalid_argument("chooseNextPick: " + problem);
 }
 
 void chooseFirst(Decision& decision) {
@@ -57,6 +95,7 @@ std::vector<std::string> problems(const PlannerOptions& options) {
   if (options.n_cost < 1)
     found.push_back("n_cost: " + std::to_string(options.n_cost) + ": must be at least 1");
   for (const std::string& line : problems(options.best)) found.push_back("best." + line);
+  for (const std::string& line : problems(options.gripper)) found.push_back("gripper." + line);
   return found;
 }
 
@@ -78,22 +117,14 @@ std::vector<std::string> problems(const BestOptions& options) {
 
 Decision chooseNextPick(const Situation& situation, const PlannerOptions& options, std::uint64_t seed,
                         const packing::StopCallback& stop) {
-  const std::vector<std::string> found = problems(options);
-  if (!found.empty()) throw std::invalid_argument("chooseNextPick: options: " + found.front());
-  if (situation.remaining.size() != situation.types.size()) {
-    throw std::invalid_argument("chooseNextPick: remaining: " + std::to_string(situation.remaining.size()) +
-                                " counts for " + std::to_string(situation.types.size()) + " types");
-  }
-  const std::string problem = availableProblem(situation.available, situation.remaining);
-  if (!problem.empty()) throw std::invalid_argument("chooseNextPick: " + problem);
-
-  Decision decision = feasibleOptions(situation, options.genetic.rule);
+  check(situation, options);
+  Decision decision = feasibleOptions(situation, options);
   switch (options.method) {
     case PlanMethod::kDblf:
       chooseFirst(decision);
       break;
     case PlanMethod::kGa:
-      chooseByGeneticSearch(situation, options, seed, stop, decision);
+      chooseByGeneticSearch(withExpected(situation), options, seed, stop, decision);
       break;
     case PlanMethod::kBest:
       chooseByPlayouts(situation, options, seed, stop, decision);

@@ -47,6 +47,7 @@ class Play {
   void step() {
     Situation situation{pallet_, order_.types, {}, remaining_};
     for (const int item : available_) situation.available.push_back(typeOf(item));
+    if (options_.knowledge == Knowledge::kTypes) forgetCounts(situation);
     const Clock::time_point start = Clock::now();
     packing::StopCallback stop;
     if (options_.budget_ms > 0.0) {
@@ -71,6 +72,20 @@ class Play {
   }
 
  private:
+  /// Leaves the available items and the types.
+  void forgetCounts(Situation& situation) const {
+    situation.remaining.assign(order_.types.size(), 0);
+    auto free_volume = static_cast<double>(packing::volume(order_.rules.size) - pallet_.packedVolume());
+    for (const int type : situation.available) {
+      ++situation.remaining[static_cast<std::size_t>(type)];
+      free_volume -= static_cast<double>(packing::volume(order_.types[static_cast<std::size_t>(type)].size));
+    }
+    const double share = std::max(0.0, free_volume) / static_cast<double>(order_.types.size());
+    for (const packing::ItemType& type : order_.types) {
+      situation.forecast.push_back(share / static_cast<double>(packing::volume(type.size)));
+    }
+  }
+
   int typeOf(int item) const { return arrival_[static_cast<std::size_t>(item)]; }
 
   void place(std::size_t chosen, const packing::Placement& placement) {

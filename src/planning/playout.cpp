@@ -9,20 +9,23 @@
 namespace mixed_palletizing::planning {
 
 Playout::Playout(const std::vector<packing::ItemType>& types, const packing::PalletRules& rules,
-                 const PolicyWeights& weights)
-    : policy_(types, rules, weights), pallet_(rules), trial_(rules), best_(rules) {}
+                 const PolicyWeights& weights, const GripperEnvelope& gripper)
+    : policy_(types, rules, weights), gripper_(gripper), pallet_(rules), trial_(rules), best_(rules) {}
 
 std::optional<PlayoutEnd> Playout::play(const PlayoutStart& start, const std::vector<int>& to_come,
                                         const packing::StopCallback& stop) {
   pallet_ = start.pallet;
   visible_ = start.visible;
-  remaining_ = start.remaining;
+  remaining_ = visible_;
+  for (const int type : to_come) ++remaining_[static_cast<std::size_t>(type)];
   visible_count_ = std::accumulate(visible_.begin(), visible_.end(), 0);
   std::size_t next = 0;
   PlayoutEnd end;
   stopped_ = false;
   arrive(start.n_pick, to_come, next);
-  while (visible_count_ > 0) {
+  while (true) {
+    if (stop && stop()) return std::nullopt;  // here too: there may be no placement to try
+    if (visible_count_ == 0) break;
     const bool placed = placeBest(stop);
     if (stopped_) return std::nullopt;
     if (!placed) discardVisible(end);
@@ -39,7 +42,7 @@ bool Playout::placeBest(const packing::StopCallback& stop) {
   for (int type = 0; type < static_cast<int>(visible_.size()); ++type) {
     const auto t = static_cast<std::size_t>(type);
     if (visible_[t] == 0) continue;
-    placementsOf(pallet_, policy_.sizes(type), type, placements_);
+    placementsOf(pallet_, policy_.sizes(type), type, Trials::kQuick, gripper_, placements_);
     --remaining_[t];
     for (const packing::Placement& placement : placements_) {
       if (stop && stop()) {

@@ -13,16 +13,16 @@
 namespace mixed_palletizing::planning {
 namespace {
 
-constexpr int kRoundsBetweenDrops = 8;
+constexpr int kRoundsBetweenDrops = 8;  ///< at least; later an eighth of those played
 constexpr double kStandardErrorsBehind = 2.5;
-/// Rounds without a single loss of any runner after which the race is called off.
-constexpr std::size_t kSureRounds = 128;
+/// Rounds without any difference between the runners after which the race is called off.
+constexpr int kSureRounds = 128;
 
 }  // namespace
 
 PlayoutRace::PlayoutRace(const Situation& situation, const std::vector<ScoredPlacement>& pairs,
                          std::vector<Playout>& engines, std::uint64_t seed)
-    : engines_(engines), random_(seed) {
+    : engines_(engines), random_(seed), forecast_(situation.forecast) {
   std::vector<int> visible(situation.types.size(), 0);
   for (const int type : situation.available) ++visible[static_cast<std::size_t>(type)];
   for (std::size_t t = 0; t < visible.size(); ++t) {
@@ -31,25 +31,42 @@ PlayoutRace::PlayoutRace(const Situation& situation, const std::vector<ScoredPla
   }
   for (const ScoredPlacement& pair : pairs) {
     Runner runner{
-        pair.placement,
-        {situation.pallet, visible, situation.remaining, static_cast<int>(situation.available.size())},
-        {},
-        true};
+        pair.placement, {situation.pallet, visible, static_cast<int>(situation.available.size())}, {}, true};
     runner.start.pallet.place(pair.placement);
     --runner.start.visible[static_cast<std::size_t>(pair.placement.type)];
-    --runner.start.remaining[static_cast<std::size_t>(pair.placement.type)];
     runners_.push_back(std::move(runner));
   }
 }
 
 void PlayoutRace::run(int samples, const packing::StopCallback& stop) {
-  for (int round = 0; round < samples; round += kRoundsBetweenDrops) {
-    if (!playRounds(std::min(kRoundsBetweenDrops, samples - round), stop)) return;
+  const int rounds = onlyOneFuture() ? 1 : samples;
+  for (int done = 0; done < rounds;) {
+    const int next = std::min(std::max(kRoundsBetweenDrops, done / kRoundsBetweenDrops), rounds - done);
+    if (!playRounds(next, stop)) return;
+    done += next;
     dropThoseBehind();
     const auto racing =
         std::count_if(runners_.begin(), runners_.end(), [](const Runner& runner) { return runner.racing; });
-    if (racing < 2 || nothingToLearn()) return;
+    if (racing < 2 || (done >= kSureRounds && noDifference())) return;
   }
+}
+
+/// All that is to come is of one type: there is nothing to draw.
+bool PlayoutRace::onlyOneFuture() const {
+  const bool alike = to_come_.empty() || to_come_.front() == to_come_.back();  // sorted still
+  return alike && std::all_of(forecast_.begin(), forecast_.end(), [](double count) { return count == 0.0; });
+}
+
+/// What may come, in a random order: the items known, and of every type with a forecast a number drawn from the
+/// Poisson distribution: the arrivals of a stream in the time that brings so many in the mean.
+std::vector<int> PlayoutRace::drawArrival() {
+  const auto gap = [this] { return -std::log(1.0 - packing::uniform01(random_)); };
+  std::vector<int> arrival = to_come_;
+  for (std::size_t t = 0; t < forecast_.size(); ++t) {
+    for (double time = gap(); time < forecast_[t]; time += gap()) arrival.push_back(static_cast<int>(t));
+  }
+  packing::shuffle(arrival, random_);
+  return arrival;
 }
 
 /// False when stopped; the rounds that were completed count.
@@ -60,8 +77,7 @@ bool PlayoutRace::playRounds(int rounds, const packing::StopCallback& stop) {
   }
   std::vector<std::vector<int>> arrivals;
   for (int i = 0; i < rounds; ++i) {
-    packing::shuffle(to_come_, random_);
-    arrivals.push_back(to_come_);
+    arrivals.push_back(drawArrival());
   }
   std::vector<std::optional<PlayoutEnd>> ends(arrivals.size() * racing.size());
   std::atomic<bool> stopped{false};
@@ -98,11 +114,12 @@ void PlayoutRace::dropThoseBehind() {
   }
 }
 
-bool PlayoutRace::nothingToLearn() const {
-  return std::all_of(runners_.begin(), runners_.end(), [](const Runner& runner) {
-    return !runner.racing || (runner.ends.size() >= kSureRounds &&
-                              std::all_of(runner.ends.begin(), runner.ends.end(),
-                                          [](const PlayoutEnd& e) { return e.perfect(); }));
+bool PlayoutRace::noDifference() const {
+  const Runner& best = runners_[leader()];
+  return std::all_of(runners_.begin(), runners_.end(), [&](const Runner& runner) {
+    return !runner.racing ||
+           std::equal(runner.ends.begin(), runner.ends.end(), best.ends.begin(), best.ends.end(),
+                      [this](const PlayoutEnd& a, const PlayoutEnd& b) { return value(a) == value(b); });
   });
 }
 

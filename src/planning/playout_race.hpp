@@ -38,15 +38,18 @@ class PlayoutRace {
   double meanValue(const Runner& runner) const;
 
  private:
+  std::vector<int> drawArrival();
   bool playRounds(int rounds, const packing::StopCallback& stop);
   void dropThoseBehind();
-  bool nothingToLearn() const;
+  bool onlyOneFuture() const;
+  bool noDifference() const;
   double value(const PlayoutEnd& end) const;
 
   std::vector<Playout>& engines_;
   packing::Random random_;
   std::vector<Runner> runners_;
-  std::vector<int> to_come_;
+  std::vector<int> to_come_;      ///< known
+  std::vector<double> forecast_;  ///< expected beside them, per type; empty = none
 };
 
 }  // namespace mixed_palletizing::planning

@@ -73,7 +73,7 @@ PolicyScore playPolicy(const std::vector<TuningOrder>& orders, const PolicyWeigh
   for (const TuningOrder& order : orders) {
     Playout playout(order.order.types, order.order.rules, weights);
     const PlayoutStart start{packing::PalletState(order.order), std::vector<int>(order.order.types.size(), 0),
-                             order.order.counts, order.n_pick};
+                             order.n_pick};
     const PlayoutEnd end = *playout.play(start, order.arrival, {});
     score.value += futureValue(end, playout.policy().palletVolume());
     score.perfect_ratio += end.perfect() ? 1.0 : 0.0;

@@ -1,41 +1,80 @@
 #include "scored_placements.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <mixed_palletizing/packing/placement_rule.hpp>
 
 namespace mixed_palletizing::planning {
 
-void placementsOf(const packing::PalletState& pallet, const std::vector<packing::Vec3>& sizes, int type,
-                  std::vector<packing::Placement>& placements) {
-  placements.clear();
-  if (!pallet.carriesWeightOf(type)) return;
-  if (!pallet.fullSupport()) {
+namespace {
+
+bool fits(const packing::Vec3& size, const packing::Space& space) {
+  const packing::Vec3 room = space.size();
+  return size.x <= room.x && size.y <= room.y && size.z <= room.z;
+}
+
+/// The first corner of a space at which the box keeps all rules, the one nearest to the origin first.
+std::optional<packing::Placement> atSoundCorner(const packing::PalletState& pallet,
+                                                const packing::Space& space, const packing::Vec3& size,
+                                                int type) {
+  for (const int y : {space.min.y, space.max.y - size.y}) {
+    for (const int x : {space.min.x, space.max.x - size.x}) {
+      const packing::Placement placement{type, {x, y, space.min.z}, size};
+      if (pallet.accepts(placement)) return placement;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Those that the pallet's rules allow.
+void addPlacements(const packing::PalletState& pallet, const std::vector<packing::Vec3>& sizes, int type,
+                   Trials trials, std::vector<packing::Placement>& placements) {
+  if (!pallet.fullSupport() && trials == Trials::kThorough) {
     placements = packing::cornerPlacements(pallet, sizes, type);
     return;
   }
   for (const packing::Vec3& size : sizes) {
     const packing::Space* last = nullptr;
     for (const packing::Space& space : pallet.spaces()) {  // spaces of one corner follow each other
-      const packing::Vec3 room = space.size();
-      if (size.x > room.x || size.y > room.y || size.z > room.z) continue;
-      if (last != nullptr && last->min == space.min) continue;
-      last = &space;
-      placements.push_back({type, space.min, size});
+      if (!fits(size, space)) continue;
+      if (!pallet.fullSupport()) {
+        const auto placement = atSoundCorner(pallet, space, size, type);
+        if (placement && (placements.empty() || !(placements.back() == *placement))) {
+          placements.push_back(*placement);
+        }
+      } else if (last == nullptr || last->min != space.min) {
+        last = &space;
+        placements.push_back({type, space.min, size});
+      }
     }
   }
 }
 
+}  // namespace
+
+void placementsOf(const packing::PalletState& pallet, const std::vector<packing::Vec3>& sizes, int type,
+                  Trials trials, const GripperEnvelope& gripper,
+                  std::vector<packing::Placement>& placements) {
+  placements.clear();
+  if (!pallet.carriesWeightOf(type)) return;
+  addPlacements(pallet, sizes, type, trials, placements);
+  if (!gripper.isThere()) return;
+  const auto touches = [&](const packing::Placement& p) { return !clears(gripper, pallet, p); };
+  placements.erase(std::remove_if(placements.begin(), placements.end(), touches), placements.end());
+}
+
 std::vector<ScoredPlacement> scoredPlacements(const packing::PalletState& pallet,
                                               const std::vector<int>& types, std::vector<int> remaining,
-                                              PlacementPolicy& policy, const packing::StopCallback& stop) {
+                                              const GripperEnvelope& gripper, PlacementPolicy& policy,
+                                              const packing::StopCallback& stop) {
   std::vector<ScoredPlacement> scored;
   std::vector<packing::Placement> placements;
   packing::PalletState trial = pallet;
   bool stopped = false;
   for (const int type : types) {
     if (stopped) break;
-    placementsOf(pallet, policy.sizes(type), type, placements);
+    placementsOf(pallet, policy.sizes(type), type, Trials::kThorough, gripper, placements);
     --remaining[static_cast<std::size_t>(type)];
     for (const packing::Placement& placement : placements) {
       stopped = stop && stop();

@@ -5,6 +5,7 @@
 
 #include <mixed_palletizing/packing/genetic_search.hpp>
 #include <mixed_palletizing/packing/pallet_state.hpp>
+#include <mixed_palletizing/planning/gripper_envelope.hpp>
 #include <mixed_palletizing/planning/placement_policy.hpp>
 
 namespace mixed_palletizing::planning {
@@ -14,15 +15,24 @@ struct ScoredPlacement {
   double score = 0.0;
 };
 
-/// Every placement of an item that may stand in `sizes` at the corner nearest to the origin of a supported
-/// space, each once; below full support as packing::cornerPlacements().
-void placementsOf(const packing::PalletState& pallet, const std::vector<packing::Vec3>& sizes, int type,
-                  std::vector<packing::Placement>& placements);
+/// Which placements are tried.
+enum class Trials {
+  kQuick,  ///< in every space the one at the corner nearest to the origin; where that one breaks a rule, the
+           ///< first at another corner that keeps all
+  kThorough,  ///< as packing::cornerPlacements(): where a space may not carry a box everywhere, also flush with
+              ///< the edges of the tops below
+};
 
-/// All placements of one item of each type in `types` (sorted, distinct), best first. `remaining` is the count
+/// Placements of an item that may stand in `sizes` which the gripper reaches; with full support each once, and
+/// kQuick and kThorough are the same.
+void placementsOf(const packing::PalletState& pallet, const std::vector<packing::Vec3>& sizes, int type,
+                  Trials trials, const GripperEnvelope& gripper, std::vector<packing::Placement>& placements);
+
+/// All placements (kThorough) of one item of each type in `types` (sorted, distinct), best first. `remaining` is the count
 /// per type with these items. When `stop` cuts in, those rated until then.
 std::vector<ScoredPlacement> scoredPlacements(const packing::PalletState& pallet,
                                               const std::vector<int>& types, std::vector<int> remaining,
-                                              PlacementPolicy& policy, const packing::StopCallback& stop);
+                                              const GripperEnvelope& gripper, PlacementPolicy& policy,
+                                              const packing::StopCallback& stop);
 
 }  // namespace mixed_palletizing::planning

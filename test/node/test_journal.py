@@ -52,6 +52,7 @@ class Journal(unittest.TestCase):
     def kill(self):
         os.kill(self.node.pid, signal.SIGKILL)
         self.node.wait()
+        self.node = None
 
     @staticmethod
     def call(name, kind, request=None):

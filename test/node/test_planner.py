@@ -130,6 +130,8 @@ class Planner(unittest.TestCase):
         self.assertGreater(self.markers.count(), 0)
         summary = self.services['close_pallet']().summary
         self.assertEqual((summary.placed, summary.discarded, summary.remaining), (3, 0, 0))
+        self.assertEqual((summary.unpacked_ratio, summary.min_support_ratio), (0.0, 1.0))
+        self.assertAlmostEqual(summary.gravity_margin, 0.2)
         self.assertAlmostEqual(summary.utilization, 1.0)
         self.assertEqual(summary.decisions, 3)
 
@@ -193,6 +195,27 @@ class Planner(unittest.TestCase):
         self.assertEqual(self.report(choice.decision_id, ReportPickRequest.DISCARDED).status, Report.OK)
         self.assertEqual(list(self.state().state.discarded), [1, 0])
         self.assertEqual(self.report(choice.decision_id).status, Report.CONFLICT)
+
+    def test_two_executives(self):
+        self.start()
+        mine, yours = self.choose('big', request_id='mine'), self.choose('flat', request_id='yours')
+        self.assertNotEqual(mine.decision_id, yours.decision_id)
+        self.assertEqual(self.report(mine.decision_id).status, Report.OK)
+        revision = self.state().state.revision
+        late = self.report(yours.decision_id)
+        self.assertEqual((late.status, late.revision), (Report.UNKNOWN_DECISION, revision))
+        self.assertIn('out of date', late.message)
+        self.assertEqual(len(self.state().state.placements), 1)
+        statuses = []
+        choice = self.choose('flat')
+        threads = [threading.Thread(target=lambda: statuses.append(self.report(choice.decision_id).status))
+                   for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(statuses, [Report.OK] * 4)
+        self.assertEqual(len(self.state().state.placements), 2)
 
     def test_measured_pose(self):
         self.start()

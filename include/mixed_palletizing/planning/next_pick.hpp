@@ -9,6 +9,7 @@
 #include <mixed_palletizing/packing/genetic_search.hpp>
 #include <mixed_palletizing/packing/pallet_state.hpp>
 #include <mixed_palletizing/packing/types.hpp>
+#include <mixed_palletizing/planning/gripper_envelope.hpp>
 #include <mixed_palletizing/planning/placement_policy.hpp>
 
 namespace mixed_palletizing::planning {
@@ -48,18 +49,22 @@ struct PlannerOptions {
   CostComparison comparison = CostComparison::kLexicographic;
   packing::GeneticOptions genetic;
   BestOptions best;
+  GripperEnvelope gripper;  ///< must find room too, with every method; the futures of kGa do without
 };
 
 std::vector<std::string> problems(const PlannerOptions& options);
 
 /// What can be known when a decision is made: the pallet, the items at hand, and the multiset of all items
 /// that are neither placed nor discarded (`remaining`, the available ones included), never the order in which
-/// they come.
+/// they come. When that multiset is known in part or not at all, `remaining` holds what is known and `forecast`
+/// how many more of each type are expected: kBest then draws the rest of every future from it, kGa takes the
+/// expected numbers for the real ones.
 struct Situation {
   const packing::PalletState& pallet;
   const std::vector<packing::ItemType>& types;
-  std::vector<int> available;  ///< type index of every item that can be picked now
-  std::vector<int> remaining;  ///< count per type, available ones included
+  std::vector<int> available;         ///< type index of every item that can be picked now
+  std::vector<int> remaining;         ///< count per type, available ones included
+  std::vector<double> forecast = {};  ///< per type, beside `remaining`; empty = nothing more comes
 };
 
 /// What the futures that were played after a placement came to.

@@ -11,8 +11,15 @@
 
 namespace mixed_palletizing::planning {
 
+/// What the planner is told of the items still to come.
+enum class Knowledge {
+  kSet,    ///< how many of each type, never their order
+  kTypes,  ///< the types only: as many of each as fill the free volume in equal shares are expected
+};
+
 struct PlayOptions {
   PlannerOptions planner;
+  Knowledge knowledge = Knowledge::kSet;
   int n_pick = 3;          ///< N_pick: items visible at a time
   double budget_ms = 0.0;  ///< per decision; 0 = bounded by iterations only, hence reproducible
   std::uint64_t seed = 1;
@@ -38,7 +45,7 @@ using PlayProgress = std::function<void(int done, int total)>;
 
 /// The first n_pick items of `arrival` (type indices of `order`) are available; after each placed one the
 /// next joins at the end; when none of the available fits anywhere they are all discarded and the next n_pick
-/// arrive. The planner knows the multiset of the items, never their order to come. Throws
+/// arrive. The planner knows of the items to come what options.knowledge says. Throws
 /// std::invalid_argument for a bad order, bad options, or an arrival that is not made of the order's items.
 PlayResult playArrivals(const packing::Order& order, const std::vector<int>& arrival,
                         const PlayOptions& options, const PlayProgress& progress = {});

@@ -7,6 +7,7 @@
 
 #include <mixed_palletizing/packing/genetic_search.hpp>
 #include <mixed_palletizing/packing/pallet_state.hpp>
+#include <mixed_palletizing/planning/gripper_envelope.hpp>
 #include <mixed_palletizing/planning/placement_policy.hpp>
 
 namespace mixed_palletizing::planning {
@@ -14,9 +15,8 @@ namespace mixed_palletizing::planning {
 /// Where a play stands: counts per type.
 struct PlayoutStart {
   packing::PalletState pallet;
-  std::vector<int> visible;    ///< items that can be picked
-  std::vector<int> remaining;  ///< all items to place, the visible ones included
-  int n_pick = 1;              ///< so many are visible while there are enough
+  std::vector<int> visible;  ///< items that can be picked
+  int n_pick = 1;            ///< so many are visible while there are enough
 };
 
 struct PlayoutEnd {
@@ -30,7 +30,7 @@ struct PlayoutEnd {
 class Playout {
  public:
   Playout(const std::vector<packing::ItemType>& types, const packing::PalletRules& rules,
-          const PolicyWeights& weights);
+          const PolicyWeights& weights, const GripperEnvelope& gripper = {});
 
   /// Plays until nothing is visible: of all placements of visible items the one that the policy rates best;
   /// when nothing visible fits, all of it is discarded; then the next of `to_come` (types) arrive until n_pick
@@ -46,6 +46,7 @@ class Playout {
   void arrive(int n_pick, const std::vector<int>& to_come, std::size_t& next);
 
   PlacementPolicy policy_;
+  GripperEnvelope gripper_;
   packing::PalletState pallet_;
   packing::PalletState trial_;
   packing::PalletState best_;

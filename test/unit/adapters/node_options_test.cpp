@@ -1,4 +1,5 @@
 // Options of the detector and the planner node, and their shipped parameter files.
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -111,6 +112,7 @@ TEST(PickPlannerOptions, shippedFileIsReadAndHoldsTheDefaults) {
   EXPECT_EQ(read.planner.best.threads, defaults.planner.best.threads);
   EXPECT_EQ(read.planner.best.seed, defaults.planner.best.seed);
   EXPECT_EQ(read.planner.best.weights, defaults.planner.best.weights);
+  EXPECT_EQ(read.planner.gripper.isThere(), defaults.planner.gripper.isThere());
   EXPECT_EQ(read.journal.file, defaults.journal.file);
   EXPECT_EQ(read.journal.keep_pallets, defaults.journal.keep_pallets);
   EXPECT_EQ(read.plan.time_budget_s, defaults.plan.time_budget_s);
@@ -140,6 +142,32 @@ TEST(PickPlannerOptions, everyMistakeIsNamedAtOnce) {
         "planner.population", "plan.time_budget_s", "plan.genetic.elite"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
   }
+}
+
+TEST(JournalPath, followsTheNodesNameUnlessItIsNamed) {
+  const char* before = std::getenv("ROS_HOME");
+  const std::string kept = before == nullptr ? "" : before;
+  ::setenv("ROS_HOME", "/ros", 1);
+  EXPECT_EQ(journalPath({"", 50}, "/pick_planner"), "/ros/mixed_palletizing/pick_planner.journal");
+  EXPECT_EQ(journalPath({"", 50}, "/cell1/pick_planner"),
+            "/ros/mixed_palletizing/cell1_pick_planner.journal");
+  EXPECT_EQ(journalPath({"/a/b", 50}, "/pick_planner"), "/a/b");
+  EXPECT_EQ(journalPath({"none", 50}, "/pick_planner"), "");
+  if (before == nullptr) {
+    ::unsetenv("ROS_HOME");
+  } else {
+    ::setenv("ROS_HOME", kept.c_str(), 1);
+  }
+}
+
+TEST(PickPlannerOptions, policyFilesAreReadAndTheirFaultsNamed) {
+  const auto read = [](const YAML::Node& tree) { return readPickPlannerOptions(tree); };
+  const std::string policy = std::string(MIXED_PALLETIZING_SOURCE_DIR) + "/config/placement_policy.txt";
+  EXPECT_EQ(complaint(read, "planner: {best: {policy: " + policy + "}}"), "");
+  EXPECT_NE(complaint(read, "planner: {best: {policy: /none/such}}").find("planner.best.policy"),
+            std::string::npos);
+  EXPECT_NE(complaint(read, "planner: {gripper: {reach_mm: -1}}").find("gripper.reach"), std::string::npos);
+  EXPECT_NE(complaint(read, "journal: {keep_pallets: 0}").find("journal.keep_pallets"), std::string::npos);
 }
 
 }  // namespace

@@ -130,6 +130,24 @@ TEST(ChooseNextPick, bestDoesNotDependOnItsThreads) {
   }
 }
 
+/// Futures in which nothing can be placed ask nobody for the time; the search must do so itself.
+TEST(ChooseNextPick, bestEndsWhenNothingMoreFits) {
+  packing::PalletState pallet(packing::PalletRules{{100, 100, 100}, 0, 1.0});
+  const std::vector<packing::ItemType> types = {{"slab", {100, 60, 100}, {}, 0, 0},
+                                                {"rest", {100, 40, 100}, {}, 0, 0},
+                                                {"same", {100, 40, 100}, {}, 0, 0},
+                                                {"block", {100, 50, 100}, {}, 0, 0}};
+  pallet.place({0, {0, 0, 0}, {100, 60, 100}});
+  for (const int blocks : {0, 7}) {
+    const Situation situation{pallet, types, {1, 2, 0}, {5, 1, 1, blocks}};
+    int asked = 0;
+    const Decision decision =
+        chooseNextPick(situation, optionsOf(PlanMethod::kBest), 1, [&] { return ++asked > 100000; });
+    ASSERT_TRUE(decision.chosen);
+    EXPECT_LT(*decision.chosen, 2U);
+  }
+}
+
 TEST(ChooseNextPick, theLastItemsAreExact) {
   std::mt19937_64 rng(43);
   for (int run = 0; run < 40; ++run) {
@@ -192,6 +210,10 @@ TEST(ChooseNextPick, refusesBadInput) {
   refused({-1}, {1});
   refused({0}, {1, 1});
   refused({0}, {});
+  for (const std::vector<double>& forecast : {std::vector<double>{1.0, 1.0}, {-1.0}, {std::nan("")}}) {
+    const Situation foretold{pallet, types, {0}, {1}, forecast};
+    EXPECT_THROW(chooseNextPick(foretold, PlannerOptions(), 1, kNever), std::invalid_argument);
+  }
   PlannerOptions options;
   options.n_cost = 0;
   EXPECT_EQ(problems(options).size(), 1U);

@@ -73,6 +73,19 @@ TEST(PlayArrivals, gaLeavesLessThanDblfAndBestLessThanGa) {
   EXPECT_LT(best, ga);
 }
 
+TEST(PlayArrivals, knowingTheTypesOnlyKeepsTheRules) {
+  for (int i = 0; i < 8; ++i) {
+    const instances::Instance instance = instances::generateInstance({}, 63, i);
+    PlayOptions options;
+    options.knowledge = Knowledge::kTypes;
+    options.planner.best.samples = 4;
+    options.planner.method = i % 4 == 0 ? PlanMethod::kGa : PlanMethod::kBest;
+    const PlayResult play = playArrivals(instance.order, instance.arrival, options);
+    EXPECT_TRUE(faultsOf(instance, play).empty()) << "seed 63, index " << i;
+    EXPECT_GT(play.utilization, 0.5) << "seed 63, index " << i;
+  }
+}
+
 TEST(PlayArrivals, aTinyBudgetStillPlaysToTheEnd) {
   const instances::Instance instance = instances::generateInstance({}, 62, 0);
   PlayOptions options;

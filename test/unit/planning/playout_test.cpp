@@ -15,7 +15,7 @@ namespace mixed_palletizing::planning {
 namespace {
 
 PlayoutStart beginning(const packing::Order& order, int n_pick) {
-  return {packing::PalletState(order), std::vector<int>(order.types.size(), 0), order.counts, n_pick};
+  return {packing::PalletState(order), std::vector<int>(order.types.size(), 0), n_pick};
 }
 
 TEST(Playout, everythingIsPackedOrLeftOver) {
