@@ -65,10 +65,10 @@ def packing(tools, measurer, options, out):
             results = orders.pack(path, method, TIME_LIMIT_S)
             rows.append(['', f'{name}, of {count}', *_summary_cells(results)])
             series.append((name, unpacked_counts(results), plots.SERIES[i % len(plots.SERIES)]))
-        panels.append((f'{height} mm', 'boxes left', series))
+        panels.append((f'{height} mm', series))
         shown.append((path, results, f'{height} mm, {name}'))
     page.table(['height', '', *SUMMARY_HEADERS], rows)
-    page.figure(plots.histograms(panels), 'Boxes left an order, as in Fig. 4.22 and 4.24.')
+    page.figure(plots.count_bars(panels, 'boxes left'), 'Orders by the boxes that are left, as in Fig. 4.22 and 4.24.')
     for path, results, title in shown:
         _gallery(page, path, results, title)
     published_packings.add(page, orders, options.data, options.quick)
@@ -102,10 +102,10 @@ def planning(tools, measurer, options, out):
             rows.append(['', f'{name}, of {count}', *_summary_cells(results), *_compared(results, heuristic),
                          number(max(r['decision_ms']['max'] for r in results), 0)])
             series.append((name, unpacked_counts(results), plots.SERIES[i % len(plots.SERIES)]))
-        panels.append((f'{height} mm', 'boxes left', series))
+        panels.append((f'{height} mm', series))
         shown.append((path, results, f'{height} mm, {name}'))
     page.table(['height', '', *SUMMARY_HEADERS, 'better', 'equal', 'worse', 'longest decision ms'], rows)
-    page.figure(plots.histograms(panels), 'Boxes left an order, as in Fig. 4.28.')
+    page.figure(plots.count_bars(panels, 'boxes left'), 'Orders by the boxes that are left, as in Fig. 4.28.')
     for path, results, title in shown:
         _gallery(page, path, results, title)
     add_commands(page, tools)

@@ -19,9 +19,12 @@ def pallet(placements, pallet_mm):
     figure = plots.pyplot.figure(figsize=(5.2, 4.6))
     axis = figure.add_subplot(111, projection='3d')
     types = sorted({p['type'] for p in placements})
+    faces, colours = [], []
     for placement in placements:
-        colour = COLOURS[types.index(placement['type']) % len(COLOURS)]
-        axis.add_collection3d(Poly3DCollection(_faces(placement), facecolors=colour, edgecolors='#333', linewidths=0.5))
+        faces += _faces(placement)
+        colours += len(FACES) * [COLOURS[types.index(placement['type']) % len(COLOURS)]]
+    # One collection: faces are sorted by depth within a collection only.
+    axis.add_collection3d(Poly3DCollection(faces, facecolors=colours, edgecolors='#333', linewidths=0.5))
     axis.set_xlim(0, pallet_mm[0])
     axis.set_ylim(0, pallet_mm[1])
     axis.set_zlim(0, pallet_mm[2])

@@ -51,6 +51,25 @@ def histograms(panels):
     return as_bytes(figure)
 
 
+def count_bars(panels, unit):
+    """Panels (title, [(name, whole numbers, colour)]): how often each number occurs, the series side by side."""
+    figure, axes = pyplot.subplots(1, len(panels), figsize=(3.6 * len(panels) + 0.6, 2.9), squeeze=False)
+    for axis, (title, series) in zip(axes[0], panels):
+        width = 0.8 / len(series)
+        for i, (name, values, colour) in enumerate(series):
+            numbers = sorted(set(values))
+            places = [n + width * (i - 0.5 * (len(series) - 1)) for n in numbers]
+            axis.bar(places, [values.count(n) for n in numbers], width=width, color=colour, label=name)
+        axis.set_title(title, fontsize=10)
+        axis.set_xlabel(unit, fontsize=9)
+        axis.tick_params(labelsize=8)
+        axis.xaxis.set_major_locator(ticker.MaxNLocator(8, integer=True))
+        axis.yaxis.set_major_locator(ticker.MaxNLocator(5, integer=True))
+    axes[0][0].legend(fontsize=8, frameon=False)
+    figure.tight_layout()
+    return as_bytes(figure)
+
+
 def ratio_curves(series, level):
     """Curves (name, heights [mm], ratios) on a logarithmic scale with a dashed level; an empty name repeats the last."""
     figure, axis = pyplot.subplots(figsize=(7.0, 3.6))

@@ -11,8 +11,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / 'experiments'))
 
-from mp_experiments import (detection_rows, errors, page, plots, published_packings, statistics,  # noqa: E402
-                            thesis_tables, tools)
+from mp_experiments import (detection_rows, errors, page, pallet_pictures, plots, published_packings,  # noqa: E402
+                            statistics, thesis_tables, tools)
 
 
 def summary(**changes):
@@ -86,6 +86,20 @@ class Html(unittest.TestCase):
 
     def test_equal_values_make_a_picture(self):
         self.assertTrue(plots.histograms([('t', 'mm', [('ours', [1.0, 1.0], plots.OURS)])]).startswith(b'\x89PNG'))
+
+
+class Pictures(unittest.TestCase):
+    def test_counts_and_pallets_are_drawn(self):
+        bars = plots.count_bars([('600 mm', [('ours', [0, 0, 3], plots.OURS), ('theirs', [1], plots.THEIRS)])], 'left')
+        self.assertTrue(bars.startswith(b'\x89PNG'))
+        placements = [{'type': 'a', 'origin_mm': [0, 0, 0], 'size_mm': [600, 400, 200]},
+                      {'type': 'b', 'origin_mm': [600, 0, 0], 'size_mm': [300, 400, 100]}]
+        self.assertTrue(pallet_pictures.pallet(placements, [1200, 800, 600]).startswith(b'\x89PNG'))
+        self.assertTrue(pallet_pictures.pallet([], [1200, 800, 600]).startswith(b'\x89PNG'))
+
+    def test_a_missing_picture_is_named(self):
+        with self.assertRaisesRegex(errors.ExperimentError, 'nowhere.png'):
+            plots.scene('/nowhere.png', {'boxes': [], 'invented': []})
 
 
 class PublishedPackings(unittest.TestCase):

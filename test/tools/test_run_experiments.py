@@ -53,6 +53,13 @@ class RunExperiments(unittest.TestCase):
             self.assertIn(f'Table {table}', text)
         self.assertEqual(done.stderr, '')
 
+    def test_packing_and_planning(self):
+        for experiment, table in (('packing', 'Fig. 4.24'), ('planning', 'Table 4.8')):
+            done = run(experiment, '--quick', '--count', 1, '--quiet', '--out', self.out, MIXED_PALLETIZING_DATA='')
+            text = self.report(done, f'{experiment}.html')
+            self.assertIn(table, text)
+            self.assertGreaterEqual(text.count('data:image/png'), 7)
+
     def test_mistakes_are_named_in_one_line(self):
         self.one_line(run('detection', '--out', '/dev/null/x'), '/dev/null/x: cannot be written')
         self.one_line(run('detection', '--out', self.out, '--only', 'nothing'), '--only nothing: the rows are')
@@ -63,6 +70,7 @@ class RunExperiments(unittest.TestCase):
         (broken / '__init__.py').write_text('raise ImportError("broken here")')
         self.one_line(run('detection', '--out', self.out, PYTHONPATH=str(broken.parent)),
                       'matplotlib cannot be imported .*install python3-matplotlib')
+        self.one_line(run('packing', '--out', self.out, '--thesis'), '--thesis and --only belong to detection')
         wrong = run('detection', '--out', self.out, '--count', 0)
         self.assertEqual(wrong.returncode, 2)
         self.assertIn('0 is less than 1', wrong.stderr)
