@@ -20,7 +20,7 @@ namespace mixed_palletizing::adapters {
 namespace {
 
 BaseFrameAnswer missing(const std::string& reason, const std::string& message) {
-  return {std::nullopt, reason, message};
+  return {std::nullopt, reason, message, 0};
 }
 
 void makeFolderOf(const std::string& path) {
@@ -70,6 +70,8 @@ void BaseFrameKeeper::restore() {
   }
   camera_frame_ = kept.camera_frame;
   base_from_camera_ = kept.base_from_camera;
+  removed_planes_ = kept.removed_planes;
+  ++revision_;
   origin_ = "from " + options_.calibration_file;
   publish();
 }
@@ -88,7 +90,7 @@ BaseFrameAnswer BaseFrameKeeper::find(const std::string& camera_frame, const ros
     return missing("wrong_camera_frame", "the cloud comes from frame '" + camera_frame +
                                              "', the calibration is of '" + camera_frame_ + "'");
   }
-  return {base_from_camera_, "", ""};
+  return {base_from_camera_, "", "", revision_};
 }
 
 BaseFrameAnswer BaseFrameKeeper::lookUp(const std::string& camera_frame, const ros::Time& stamp) const {
@@ -107,21 +109,25 @@ BaseFrameAnswer BaseFrameKeeper::lookUp(const std::string& camera_frame, const r
     return missing("no_transform", "the transform from '" + camera_frame + "' to '" + options_.base_frame +
                                        "' is not finite or no rotation");
   }
-  return {pose, "", ""};
+  return {pose, "", "", 0};
 }
 
-void BaseFrameKeeper::set(const std::string& camera_frame, const geometry::Pose& base_from_camera) {
+void BaseFrameKeeper::set(const std::string& camera_frame, const geometry::Pose& base_from_camera,
+                          const std::vector<geometry::Plane>& removed_planes) {
   if (!options_.calibration_file.empty()) {
     makeFolderOf(options_.calibration_file);
     Calibration calibration;
     calibration.base_frame = options_.base_frame;
     calibration.camera_frame = camera_frame;
     calibration.base_from_camera = base_from_camera;
+    calibration.removed_planes = removed_planes;
     writeCalibration(options_.calibration_file, calibration);
   }
   std::lock_guard<std::mutex> lock(mutex_);
   camera_frame_ = camera_frame;
   base_from_camera_ = base_from_camera;
+  removed_planes_ = removed_planes;
+  ++revision_;
   origin_ = "calibrated in this run";
   publish();
 }
@@ -134,6 +140,11 @@ void BaseFrameKeeper::publish() const {
   } else {
     publishStaticTransform(options_.base_frame, camera_frame_, *base_from_camera_, now);
   }
+}
+
+std::vector<geometry::Plane> BaseFrameKeeper::removedPlanes() const {
+  std::lock_guard<std::mutex> lock(mutex_);
+  return removed_planes_;
 }
 
 bool BaseFrameKeeper::calibrated() const {

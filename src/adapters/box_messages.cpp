@@ -22,7 +22,8 @@ static_assert(sameBit(Box::OCCLUDED, detection::kOccluded) &&
                   sameBit(Box::TRUNCATED, detection::kTruncated) &&
                   sameBit(Box::TOUCHING, detection::kTouching) &&
                   sameBit(Box::UNEVEN_TOP, detection::kUnevenTop) &&
-                  sameBit(Box::INCOMPLETE, detection::kIncomplete),
+                  sameBit(Box::INCOMPLETE, detection::kIncomplete) &&
+                  sameBit(Box::HEIGHT_UNKNOWN, detection::kHeightUnknown),
               "the bits of Box.msg are those of the detection");
 
 constexpr double kLargestBoxM = 100.0;

@@ -49,6 +49,18 @@ geometry::Pose toPose(const std::vector<double>& numbers) {
   return pose;
 }
 
+std::vector<geometry::Plane> planesFrom(const std::vector<double>& numbers) {
+  if (numbers.size() % 4 != 0) throw std::runtime_error("removed_planes: four numbers are expected for each");
+  std::vector<geometry::Plane> planes;
+  for (std::size_t i = 0; i < numbers.size(); i += 4) {
+    const Eigen::Vector3d normal(numbers[i], numbers[i + 1], numbers[i + 2]);
+    if (std::abs(normal.norm() - 1.0) > kRigid)
+      throw std::runtime_error("removed_planes: a normal is not of length 1");
+    planes.push_back({normal.normalized(), numbers[i + 3]});
+  }
+  return planes;
+}
+
 std::string toYaml(const Calibration& calibration) {
   YAML::Emitter out;
   out.SetDoublePrecision(17);
@@ -62,7 +74,15 @@ std::string toYaml(const Calibration& calibration) {
     for (int col = 0; col < 4; ++col) out << matrix(row, col);
     out << YAML::EndSeq;
   }
-  out << YAML::EndSeq << YAML::EndMap;
+  out << YAML::EndSeq;
+  if (!calibration.removed_planes.empty()) {
+    out << YAML::Key << "removed_planes" << YAML::Value << YAML::Flow << YAML::BeginSeq;
+    for (const geometry::Plane& plane : calibration.removed_planes) {
+      out << plane.normal.x() << plane.normal.y() << plane.normal.z() << plane.offset;
+    }
+    out << YAML::EndSeq;
+  }
+  out << YAML::EndMap;
   return out.c_str();
 }
 
@@ -89,9 +109,12 @@ Calibration readCalibration(const std::string& path) {
     reader.read("base_frame", calibration.base_frame);
     reader.read("camera_frame", calibration.camera_frame);
     reader.ignore("base_from_camera");
+    std::vector<double> planes;
+    reader.read("removed_planes", planes);
     reader.finish("calibration");
     if (!tree.IsMap() || !tree["base_from_camera"]) throw std::runtime_error("base_from_camera: is missing");
     calibration.base_from_camera = toPose(numbersOf(tree["base_from_camera"]));
+    calibration.removed_planes = planesFrom(planes);
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": " + error.what());
   }

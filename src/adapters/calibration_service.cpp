@@ -96,7 +96,8 @@ sensor_msgs::ImagePtr CalibrationRun::markerImage(const AcceptedCloud& cloud) co
 void CalibrationRun::finish(BaseFrameKeeper& keeper) {
   if (failed_) return;
   const detection::AveragedBaseFrame mean = detection::averageBaseFrames(frames_);
-  keeper.set(camera_frame_, mean.frame.base_from_camera);
+  keeper.set(camera_frame_, mean.frame.base_from_camera,
+             detection::removedPlanes(mean.frame, options_.detection.plane.remove));
   response_.status = CalibrateResponse::OK;
   response_.pose.header.frame_id = options_.base_frame;
   response_.pose.header.stamp = ros::Time::now();
@@ -107,6 +108,10 @@ void CalibrationRun::finish(BaseFrameKeeper& keeper) {
     for (const Eigen::Vector3d& corner : marker.corners)
       response_.marker_corners.push_back(pointMessage(corner));
   }
+  for (const detection::FoundPlane& plane : mean.frame.planes) {
+    response_.planes.push_back(poseMessage(plane.base_from_plane));
+  }
+  response_.board_rms = mean.frame.board_rms_m;
   response_.plane_inliers = mean.frame.plane_inliers;
   response_.plane_rms = mean.frame.plane_rms_m;
   response_.spread_position = mean.spread_m;

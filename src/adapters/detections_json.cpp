@@ -49,11 +49,10 @@ Json toJson(const detection::RejectedCluster& cluster) {
 }  // namespace
 
 std::vector<std::string> flagNames(std::uint8_t flags) {
-  const std::vector<std::pair<std::uint8_t, const char*>> names = {{detection::kOccluded, "OCCLUDED"},
-                                                                   {detection::kTruncated, "TRUNCATED"},
-                                                                   {detection::kTouching, "TOUCHING"},
-                                                                   {detection::kUnevenTop, "UNEVEN_TOP"},
-                                                                   {detection::kIncomplete, "INCOMPLETE"}};
+  const std::vector<std::pair<std::uint8_t, const char*>> names = {
+      {detection::kOccluded, "OCCLUDED"},     {detection::kTruncated, "TRUNCATED"},
+      {detection::kTouching, "TOUCHING"},     {detection::kUnevenTop, "UNEVEN_TOP"},
+      {detection::kIncomplete, "INCOMPLETE"}, {detection::kHeightUnknown, "HEIGHT_UNKNOWN"}};
   std::vector<std::string> set;
   for (const auto& name : names) {
     if ((flags & name.first) != 0) set.emplace_back(name.second);

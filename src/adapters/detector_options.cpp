@@ -50,6 +50,7 @@ DetectorOptions readDetectorOptions(const YAML::Node& tree) {
   reader.read("cloud_timeout_s", options.cloud_timeout_s);
   reader.read("tf_timeout_s", options.tf_timeout_s);
   reader.read("capture_service", options.capture_service);
+  reader.ignore("tuning");             // of dynamic_reconfigure
   reader.ignore("diagnostic_period");  // of diagnostic_updater
   OptionReader detection = reader.section("detection");
   readDetectionOptions(detection, options.detection);

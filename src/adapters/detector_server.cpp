@@ -6,6 +6,7 @@
 
 #include <mixed_palletizing/adapters/box_messages.hpp>
 #include <mixed_palletizing/adapters/cloud_message.hpp>
+#include <mixed_palletizing/adapters/detection_tuning.hpp>
 #include <mixed_palletizing/adapters/detector_server.hpp>
 #include <mixed_palletizing/adapters/names.hpp>
 #include <mixed_palletizing/adapters/parameters.hpp>
@@ -42,6 +43,7 @@ DetectorServer::DetectorServer(const ros::NodeHandle& private_node)
       base_frame_(options_),
       outputs_(std::make_unique<DetectorOutputs>(service_node_)),
       diagnostics_(std::make_unique<DetectorDiagnostics>(service_node_, drops_, base_frame_)),
+      detection_options_(options_.detection),
       detector_(options_.detection),
       cloud_spinner_(1, &cloud_queue_),
       service_spinner_(kServiceThreads, &service_queue_) {
@@ -53,6 +55,9 @@ DetectorServer::DetectorServer(const ros::NodeHandle& private_node)
   diagnostics_timer_ =
       service_node_.createSteadyTimer(ros::WallDuration(kDiagnosticsPeriodS),
                                       [this](const ros::SteadyTimerEvent&) { diagnostics_->update(); });
+  tuning_ = std::make_unique<DetectionTuning>(
+      onQueue(ros::NodeHandle(private_node, names::kTuning), &service_queue_), options_.detection,
+      [this](const detection::DetectionOptions& options) { useOptions(options); });
   cloud_spinner_.start();
   service_spinner_.start();
   ROS_INFO_STREAM("clouds from " << points_.getTopic() << ", base frame '" << options_.base_frame
@@ -115,6 +120,7 @@ DetectorServer::Processed DetectorServer::detectIn(const AcceptedCloud& cloud) {
     result.message = base.reason + ": " + base.message;
     return result;
   }
+  if (base.revision != detector_revision_) renewDetector(base.revision);
   const detection::Detections detections =
       detector_.detect(cloud.view, *base.base_from_camera, outputs_->stagesWanted());
   const double processing_ms = millisecondsSince(start);
@@ -125,6 +131,21 @@ DetectorServer::Processed DetectorServer::detectIn(const AcceptedCloud& cloud) {
   outputs_->publish(cloud, detections, result.boxes);
   diagnostics_->detected(detections, processing_ms);
   return result;
+}
+
+void DetectorServer::useOptions(const detection::DetectionOptions& options) {
+  std::lock_guard<std::mutex> lock(processing_);
+  detection_options_ = options;
+  renewDetector(detector_revision_);
+  processed_.boxes.reset();
+}
+
+void DetectorServer::renewDetector(std::uint64_t revision) {
+  detection::DetectionOptions options = detection_options_;
+  const std::vector<geometry::Plane> removed = base_frame_.removedPlanes();
+  options.region.planes.insert(options.region.planes.end(), removed.begin(), removed.end());
+  detector_ = detection::BoxDetector(options);
+  detector_revision_ = revision;
 }
 
 void DetectorServer::calibrateWith(const AcceptedCloud& cloud) {

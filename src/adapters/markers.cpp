@@ -37,6 +37,7 @@ std::string flagWords(std::uint8_t flags) {
   if ((flags & Box::TOUCHING) != 0) words += " touching";
   if ((flags & Box::UNEVEN_TOP) != 0) words += " uneven";
   if ((flags & Box::INCOMPLETE) != 0) words += " incomplete";
+  if ((flags & Box::HEIGHT_UNKNOWN) != 0) words += " height unknown";
   return words;
 }
 

@@ -64,6 +64,13 @@ detection::Method methodOf(const std::string& word) {
   throw std::invalid_argument("method: '" + word + "' is neither 'best' nor 'thesis'");
 }
 
+detection::Mode modeOf(const std::string& word) {
+  for (const auto& mode : detectionModes()) {
+    if (mode.first == word) return mode.second;
+  }
+  throw std::invalid_argument("mode: '" + word + "' is neither 'palletize' nor 'depalletize'");
+}
+
 std::string describe(const detection::BaseFrame& frame, const std::string& origin) {
   std::ostringstream text;
   text << "base frame from " << origin << ": floor of " << frame.plane_inliers << " points, rms "
@@ -72,15 +79,21 @@ std::string describe(const detection::BaseFrame& frame, const std::string& origi
   return text.str();
 }
 
+void remove(const std::vector<geometry::Plane>& planes, detection::DetectionOptions& options) {
+  options.region.planes.insert(options.region.planes.end(), planes.begin(), planes.end());
+}
+
 /// Fills base_from_camera and base of `result`.
 void findBase(const OfflineDetectionRequest& request, const geometry::CloudView& cloud,
-              const std::string& cloud_origin, const detection::DetectionOptions& options,
+              const std::string& cloud_origin, detection::DetectionOptions& options,
               OfflineDetection& result) {
   if (request.base != "marker" && request.base != "floor") {
     if (!request.calibration_cloud.empty()) {
       throw std::invalid_argument("a calibration cloud needs the base 'marker' or 'floor', not a file");
     }
-    result.base_from_camera = readCalibration(request.base).base_from_camera;
+    const Calibration calibration = readCalibration(request.base);
+    result.base_from_camera = calibration.base_from_camera;
+    remove(calibration.removed_planes, options);
     result.base = "base frame from " + request.base;
     return;
   }
@@ -97,6 +110,7 @@ void findBase(const OfflineDetectionRequest& request, const geometry::CloudView&
   const detection::BaseFrameResult found = detection::findBaseFrame(view, source, options);
   if (!found.frame) throw std::runtime_error(origin + ": no base frame: " + found.message);
   result.base_from_camera = found.frame->base_from_camera;
+  remove(detection::removedPlanes(*found.frame, options.plane.remove), options);
   result.base = describe(*found.frame, origin);
 }
 
@@ -139,6 +153,7 @@ OfflineDetection detectOffline(const OfflineDetectionRequest& request) {
   }
   detection::DetectionOptions options = optionsFrom(request.params);
   if (!request.method.empty()) options.method = methodOf(request.method);
+  if (!request.mode.empty()) options.mode = modeOf(request.mode);
   const std::string origin = request.bag.empty() ? request.cloud : request.bag;
   const sensor_msgs::PointCloud2ConstPtr message =
       request.bag.empty() ? fromFile(request.cloud) : firstOf(request.bag, request.topic);

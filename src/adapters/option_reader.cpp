@@ -46,6 +46,8 @@ bool isFinite(const T&) {
   return true;
 }
 
+std::string itemKey(const std::string& key, std::size_t i) { return key + "[" + std::to_string(i) + "]"; }
+
 std::string textOf(const YAML::Node& node) {
   YAML::Emitter emitter;
   emitter << YAML::Flow << node;
@@ -69,6 +71,10 @@ struct OptionReader::Shared {
       if (ignored.count(path + key) > 0) continue;
       if (section->second.count(key) == 0) {
         out.push_back(path + key + ": nobody knows this key" + hint(key, section->second));
+      } else if (entry.second.IsSequence()) {
+        for (std::size_t i = 0; i < entry.second.size(); ++i) {
+          listUnread(entry.second[i], path + itemKey(key, i) + ".", out);
+        }
       } else {
         listUnread(entry.second, path + key + ".", out);
       }
@@ -142,6 +148,22 @@ OptionReader OptionReader::section(const std::string& key) {
     shared_->problems.push_back(path_ + key + ": a group of 'key: value' is expected");
   }
   return OptionReader(found.IsDefined() ? found : YAML::Node(), path_ + key + ".", shared_);
+}
+
+std::vector<OptionReader> OptionReader::items(const std::string& key) {
+  std::vector<OptionReader> readers;
+  const YAML::Node found = find(key);
+  if (!found.IsDefined() || found.IsNull()) return readers;
+  if (!found.IsSequence()) {
+    shared_->problems.push_back(path_ + key + ": a list of groups is expected");
+    return readers;
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::string path = path_ + itemKey(key, i) + ".";
+    if (!found[i].IsMap()) shared_->problems.push_back(path + " a group of 'key: value' is expected");
+    readers.push_back(OptionReader(found[i], path, shared_));
+  }
+  return readers;
 }
 
 void OptionReader::ignore(const std::string& key) { shared_->ignored.insert(path_ + key); }

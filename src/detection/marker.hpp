@@ -1,4 +1,4 @@
-// ArUco markers in the colour of a cloud (thesis 2.5, 3.2.1 "Base-frame detection").
+// ArUco markers in a grey image (thesis 2.5, 3.2.1 "Base-frame detection").
 #pragma once
 
 #include <array>
@@ -7,18 +7,28 @@
 #include <Eigen/Core>
 
 #include <mixed_palletizing/detection/options.hpp>
-#include <mixed_palletizing/geometry/cloud_view.hpp>
+
+#include "plane_map.hpp"
+
+namespace cv {
+class Mat;
+}
 
 namespace mixed_palletizing::detection {
 
 struct PixelMarker {
   int id = 0;
-  std::array<Eigen::Vector2d, 4> corners_px;  ///< column, row to a fraction of a pixel; in OpenCV's order
+  bool inverted = false;  ///< white border and black paper: a Zivid has no data on black ink
+  std::array<Eigen::Vector2d, 4> corners_px;  ///< column, row to about a pixel; in OpenCV's order
 };
 
-/// All markers of the dictionary, those with the wanted id first. With `inverted` the negative of the image
-/// is searched too: a Zivid has no data on black ink, so markers are printed white on black. Throws
-/// std::invalid_argument for a cloud without colour or an unknown dictionary.
-std::vector<PixelMarker> detectMarkers(const geometry::CloudView& cloud, const MarkerOptions& options);
+/// Ids that the base frame is made of: those of the board, or the one marker.
+std::vector<int> wantedIds(const MarkerOptions& options);
+
+/// Markers of the dictionary, normal ones and, with `inverted`, those printed as the negative. As long as a wanted id
+/// is missing the image is searched again: with its contrast evened out, enlarged, and seen from straight above the
+/// floor, where a marker is a square however flat the camera looks at it. Throws std::invalid_argument for an unknown
+/// dictionary.
+std::vector<PixelMarker> detectMarkers(const cv::Mat& gray, const PlaneMap& floor, const MarkerOptions& options);
 
 }  // namespace mixed_palletizing::detection

@@ -1,6 +1,7 @@
 #include "marker_dictionary.hpp"
 
 #include <array>
+#include <stdexcept>
 
 #include <opencv2/aruco.hpp>
 
@@ -56,6 +57,23 @@ std::optional<int> dictionaryNumber(const std::string& name) {
   const Dictionary* dictionary = find(name);
   if (dictionary == nullptr) return std::nullopt;
   return dictionary->number;
+}
+
+std::vector<bool> markerCells(const std::string& dictionary, int id) {
+  const Dictionary* known = find(dictionary);
+  if (known == nullptr || id < 0 || id >= known->size) {
+    throw std::invalid_argument("markerCells: no marker " + std::to_string(id) + " in dictionary '" + dictionary +
+                                "'");
+  }
+  const auto markers = cv::aruco::getPredefinedDictionary(known->number);
+  const int cells = markers->markerSize + 2;
+  cv::Mat picture;  // one pixel a cell
+  cv::aruco::drawMarker(markers, id, cells, picture, 1);
+  std::vector<bool> white;
+  for (int row = 0; row < cells; ++row) {
+    for (int col = 0; col < cells; ++col) white.push_back(picture.at<std::uint8_t>(row, col) > 127);
+  }
+  return white;
 }
 
 }  // namespace mixed_palletizing::detection

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include <mixed_palletizing/detection/options.hpp>
@@ -7,6 +8,8 @@
 
 namespace mixed_palletizing::detection {
 namespace {
+
+constexpr int kMostPlanes = 20;
 
 /// Collects broken rules about numbers.
 class Rules {
@@ -40,18 +43,49 @@ class Rules {
     lines_.push_back(line.str());
   }
 
+  void addLine(const std::string& line) { lines_.push_back(line); }
+
   std::vector<std::string> take() { return std::move(lines_); }
 
  private:
   std::vector<std::string> lines_;
 };
 
+void checkPlanes(const PlaneOptions& plane, Rules& rules) {
+  rules.atLeast("plane.max_planes", plane.max_planes, 1);
+  if (plane.max_planes > kMostPlanes)
+    rules.add("plane.max_planes", plane.max_planes, "is more than ", kMostPlanes);
+  const bool needs_more = plane.floor != FloorChoice::kLargest || plane.remove != RemovedPlanes::kNone;
+  if (needs_more && plane.max_planes < 2) {
+    rules.add("plane.max_planes", plane.max_planes,
+              "must be at least 2 to choose a floor or to remove others");
+  }
+  if (plane.floor == FloorChoice::kCameraHeight)
+    rules.positive("plane.camera_height_m", plane.camera_height_m);
+}
+
+void checkBoard(const MarkerOptions& marker, int dictionary_size, Rules& rules) {
+  std::set<int> ids;
+  for (const BoardMarker& place : marker.board) {
+    if (place.id < 0 || place.id >= dictionary_size) {
+      rules.add("marker.board", place.id, "is not in ", marker.dictionary);
+    }
+    if (!ids.insert(place.id).second) rules.add("marker.board", place.id, "is there twice");
+    if (!std::isfinite(place.x_m) || !std::isfinite(place.y_m) || !std::isfinite(place.yaw_rad)) {
+      rules.add("marker.board", place.id, "has a place that is not finite");
+    }
+  }
+}
+
 void checkCalibration(const DetectionOptions& options, Rules& rules) {
   rules.positive("plane.distance_m", options.plane.distance_m);
   rules.inside("plane.probability", options.plane.probability, 0.0, 1.0);
   rules.positive("plane.max_iterations", options.plane.max_iterations);
   rules.inside("plane.min_inlier_ratio", options.plane.min_inlier_ratio, 0.0, 1.0);
+  checkPlanes(options.plane, rules);
   rules.atLeast("marker.id", options.marker.id, 0);
+  rules.atLeast("marker.side_m", options.marker.side_m, 0.0);
+  rules.positive("marker.max_board_error_m", options.marker.max_board_error_m);
   const auto size = dictionarySize(options.marker.dictionary);
   if (!size) {
     rules.add("marker.dictionary", "'", options.marker.dictionary, "' is no predefined dictionary of OpenCV");
@@ -59,6 +93,7 @@ void checkCalibration(const DetectionOptions& options, Rules& rules) {
     rules.add("marker.id", options.marker.id, "is not in ", options.marker.dictionary, ", which has ", *size,
               " markers");
   }
+  if (size) checkBoard(options.marker, *size, rules);
 }
 
 void checkTop(const TopOptions& top, Rules& rules) {
@@ -100,6 +135,10 @@ std::vector<std::string> problems(const DetectionOptions& options) {
   rules.inside("box.min_rectangularity", options.box.min_rectangularity, 0.0, 1.0);
   rules.inside("box.min_outline_ratio", options.box.min_outline_ratio, 0.0, 1.0);
   rules.atLeast("box.touching_distance_m", options.box.touching_distance_m, 0.0);
+  rules.inside("stack.max_slope_rad", options.stack.max_slope_rad, 0.0, M_PI / 4);
+  rules.positive("stack.step_m", options.stack.step_m);
+  rules.atLeast("stack.min_height_m", options.stack.min_height_m, 0.0);
+  for (const std::string& line : problems(options.region)) rules.addLine("region." + line);
   return rules.take();
 }
 

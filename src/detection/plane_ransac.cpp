@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <stdexcept>
@@ -25,6 +26,7 @@ constexpr double kSigmas = 3.0;           // inlier distance over the spread
 constexpr double kLookSigmas = 2.5;       // inlier distances within which the spread is measured
 constexpr double kSmallestShare = 0.25;   // of the option: the inlier distance never falls below
 constexpr double kLargestShare = 6.0;     // of the option: nor does it rise above
+constexpr double kTakenDistances = 2.0;   // inlier distances within which points are gone for the next plane
 constexpr double kNormalMedian = 0.6745;  // median of |x| for a standard normal x
 
 bool measured(const Eigen::Vector3f& p) {
@@ -90,9 +92,16 @@ double spread(const Points& subset, const geometry::Plane& plane, double reach) 
   return *middle / kNormalMedian;
 }
 
+/// True for points that belong to one of the planes found before.
+bool taken(const Eigen::Vector3d& p, const std::vector<PlaneFit>& before) {
+  return std::any_of(before.begin(), before.end(), [&](const PlaneFit& fit) {
+    return std::abs(fit.plane.signedDistance(p)) < kTakenDistances * fit.distance_m;
+  });
+}
+
 /// Least squares on all inliers, in rounds.
 std::optional<PlaneFit> refine(const geometry::CloudView& cloud, const Points& subset, geometry::Plane plane,
-                               const PlaneOptions& options) {
+                               const std::vector<PlaneFit>& before, const PlaneOptions& options) {
   PlaneFit fit;
   double distance = options.distance_m;
   for (int round = 0; round < kRounds; ++round) {
@@ -101,13 +110,14 @@ std::optional<PlaneFit> refine(const geometry::CloudView& cloud, const Points& s
     geometry::PlaneAccumulator inliers;
     fit.valid = forEachPoint(cloud, [&](const Eigen::Vector3f& point) {
       const Eigen::Vector3d p = point.cast<double>();
-      if (std::abs(plane.signedDistance(p)) < distance) inliers.add(p);
+      if (std::abs(plane.signedDistance(p)) < distance && !taken(p, before)) inliers.add(p);
     });
     fit.inliers = inliers.count();
     try {
       const geometry::PlaneAccumulator::Fit best = inliers.fit();
       plane = best.plane;
       fit.rms_m = best.rms_m;
+      fit.centroid = best.centroid;
     } catch (const std::invalid_argument&) {
       return std::nullopt;  // too few inliers, or all on one line
     }
@@ -117,10 +127,19 @@ std::optional<PlaneFit> refine(const geometry::CloudView& cloud, const Points& s
   return fit;
 }
 
+/// The points of the subset that no plane has taken.
+Points::Ptr without(const Points& subset, const std::vector<PlaneFit>& planes) {
+  Points::Ptr left(new Points);
+  for (const pcl::PointXYZ& p : subset) {
+    if (!taken(p.getVector3fMap().cast<double>(), planes)) left->push_back(p);
+  }
+  return left;
+}
+
 }  // namespace
 
-PlaneResult findLargestPlane(const geometry::CloudView& cloud, const PlaneOptions& options) {
-  PlaneResult result;
+PlanesResult findPlanes(const geometry::CloudView& cloud, const PlaneOptions& options) {
+  PlanesResult result;
   const std::size_t valid = forEachPoint(cloud, [](const Eigen::Vector3f&) {});
   std::ostringstream message;
   message << "no floor plane: ";
@@ -130,21 +149,23 @@ PlaneResult findLargestPlane(const geometry::CloudView& cloud, const PlaneOption
     result.message = message.str();
     return result;
   }
-  const Points::Ptr subset = drawSubset(cloud, valid, options.seed);
-  const auto plane = sampleConsensus(subset, options);
-  if (plane) result.fit = refine(cloud, *subset, *plane, options);
-  if (!result.fit) {
-    message << "the " << valid << " points with data hold no plane";
-    result.message = message.str();
-    return result;
+  Points::Ptr left = drawSubset(cloud, valid, options.seed);
+  while (static_cast<int>(result.fits.size()) < options.max_planes) {
+    const auto plane = sampleConsensus(left, options);
+    const auto fit = plane ? refine(cloud, *left, *plane, result.fits, options) : std::nullopt;
+    const double share = fit ? static_cast<double>(fit->inliers) / static_cast<double>(valid) : 0.0;
+    if (!fit || share < options.min_inlier_ratio) {
+      if (!fit) message << "the " << valid << " points with data hold no plane";
+      if (fit) {
+        message << "the largest plane holds " << 100.0 * share << " % of the " << valid
+                << " points with data, less than " << 100.0 * options.min_inlier_ratio << " %";
+      }
+      break;
+    }
+    result.fits.push_back(*fit);
+    left = without(*left, result.fits);
   }
-  const double share = static_cast<double>(result.fit->inliers) / static_cast<double>(valid);
-  if (share < options.min_inlier_ratio) {
-    message << "the largest plane holds " << 100.0 * share << " % of the " << valid
-            << " points with data, less than " << 100.0 * options.min_inlier_ratio << " %";
-    result.message = message.str();
-    result.fit.reset();
-  }
+  if (result.fits.empty()) result.message = message.str();
   return result;
 }
 

@@ -38,6 +38,7 @@ json toJson(const detection::DetectedBox& box, const std::array<Eigen::Vector2d,
   if (box.flags & detection::kTouching) flags.push_back("TOUCHING");
   if (box.flags & detection::kUnevenTop) flags.push_back("UNEVEN_TOP");
   if (box.flags & detection::kIncomplete) flags.push_back("INCOMPLETE");
+  if (box.flags & detection::kHeightUnknown) flags.push_back("HEIGHT_UNKNOWN");
   return {
       {"top_center", toJson(box.top_center)}, {"size", toJson(box.size)}, {"yaw", box.yaw_rad},
       {"top_visibility", box.top_visibility}, {"flags", flags},           {"corners_px", toJson(corners)}};

@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
               "cloud in which the base frame is looked for, instead of the cloud itself");
   line.option("base", &request.base, "base frame: marker, floor, or a calibration file");
   line.option("params", &request.params, "parameter file of the detector node");
+  line.option("mode", &request.mode, "palletize or depalletize, instead of what the parameter file says");
   line.option("method", &request.method, "best or thesis, instead of what the parameter file says");
   line.option("repeat", &request.repeat, "detections of the same cloud; times are medians");
   line.required("json", &json, "file to write");

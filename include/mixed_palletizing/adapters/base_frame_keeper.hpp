@@ -1,14 +1,17 @@
 // Where the base frame is for a camera: calibrated, read from a file, or asked from tf.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <ros/time.h>
 
 #include <mixed_palletizing/adapters/detector_options.hpp>
+#include <mixed_palletizing/geometry/plane.hpp>
 #include <mixed_palletizing/geometry/pose.hpp>
 
 namespace tf2_ros {
@@ -21,8 +24,9 @@ namespace mixed_palletizing::adapters {
 /// A base frame, or why there is none.
 struct BaseFrameAnswer {
   std::optional<geometry::Pose> base_from_camera;
-  std::string reason;   ///< a word: "not_calibrated", "wrong_camera_frame", "no_transform"
-  std::string message;  ///< what to do about it
+  std::string reason;          ///< a word: "not_calibrated", "wrong_camera_frame", "no_transform"
+  std::string message;         ///< what to do about it
+  std::uint64_t revision = 0;  ///< of the calibration: another number, other removed planes
 };
 
 /// Thread safe.
@@ -38,7 +42,11 @@ class BaseFrameKeeper {
 
   /// Takes a new calibration into use: kept in the file, published on /tf_static. Throws std::runtime_error
   /// when the file cannot be written; nothing has changed then.
-  void set(const std::string& camera_frame, const geometry::Pose& base_from_camera);
+  void set(const std::string& camera_frame, const geometry::Pose& base_from_camera,
+           const std::vector<geometry::Plane>& removed_planes = {});
+
+  /// Planes of the base frame that the calibration in use knows to be no places of boxes.
+  std::vector<geometry::Plane> removedPlanes() const;
 
   bool calibrated() const;
 
@@ -55,6 +63,8 @@ class BaseFrameKeeper {
   std::string camera_frame_;
   std::optional<geometry::Pose> base_from_camera_;
   std::string origin_;  // of what is in use
+  std::vector<geometry::Plane> removed_planes_;
+  std::uint64_t revision_ = 0;
   std::unique_ptr<tf2_ros::Buffer> buffer_;
   std::unique_ptr<tf2_ros::TransformListener> listener_;
 };

@@ -24,6 +24,7 @@
 namespace mixed_palletizing::adapters {
 
 class CalibrationRun;
+class DetectionTuning;
 class DetectorOutputs;
 class DetectorDiagnostics;
 
@@ -57,6 +58,10 @@ class DetectorServer {
 
   Processed process(const AcceptedCloud& cloud);
   Processed detectIn(const AcceptedCloud& cloud);
+  /// Options changed while running: from the next cloud on.
+  void useOptions(const detection::DetectionOptions& options);
+  /// The detector for the options and for the planes that a new calibration removes. With processing_ locked.
+  void renewDetector(std::uint64_t revision);
   /// The next cloud after arrival `sequence` that is not older than `not_before`; triggers the camera when its
   /// capture service is known.
   Arrival awaitCloud(std::uint64_t sequence, double timeout_s, const ros::Time& not_before);
@@ -76,7 +81,9 @@ class DetectorServer {
   std::mutex calibrating_;
   std::unique_ptr<CalibrationRun> first_calibration_;  // of the cloud thread
 
-  std::mutex processing_;  // guards the next three
+  std::mutex processing_;  // guards the next five
+  detection::DetectionOptions detection_options_;
+  std::uint64_t detector_revision_ = 0;  // of the calibration that the detector knows
   detection::BoxDetector detector_;
   std::uint64_t processed_sequence_ = 0;
   Processed processed_;
@@ -88,6 +95,7 @@ class DetectorServer {
   ros::SteadyTimer diagnostics_timer_;
   ros::AsyncSpinner cloud_spinner_;
   ros::AsyncSpinner service_spinner_;
+  std::unique_ptr<DetectionTuning> tuning_;
 };
 
 }  // namespace mixed_palletizing::adapters

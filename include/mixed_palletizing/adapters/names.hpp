@@ -12,6 +12,7 @@ constexpr char kLabels[] = "labels";
 // Detector, private.
 constexpr char kCalibrate[] = "calibrate";
 constexpr char kDetect[] = "detect";
+constexpr char kTuning[] = "tuning";
 constexpr char kMarkerImage[] = "marker_image";
 constexpr char kDebugPrefix[] = "debug/";
 

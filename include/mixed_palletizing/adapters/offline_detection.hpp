@@ -19,6 +19,7 @@ struct OfflineDetectionRequest {
   std::string calibration_cloud;  ///< file in which the base frame is looked for; empty: in the cloud itself
   std::string base = "marker";    ///< "marker", "floor", or a calibration file
   std::string params;             ///< parameter file of the detector node; empty: the defaults
+  std::string mode;               ///< "palletize" or "depalletize"; empty: as the parameter file says
   std::string method;             ///< "best" or "thesis"; empty: as the parameter file says
   int repeat = 1;                 ///< detections of the same cloud; times are medians
 };

@@ -47,6 +47,9 @@ class OptionReader {
   /// The group of parameters at `key`; an empty one when the key is absent.
   OptionReader section(const std::string& key);
 
+  /// The groups of the list at `key`; none when the key is absent.
+  std::vector<OptionReader> items(const std::string& key);
+
   /// Marks a key as known to somebody else.
   void ignore(const std::string& key);
 

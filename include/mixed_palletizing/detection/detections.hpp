@@ -13,11 +13,12 @@ namespace mixed_palletizing::detection {
 
 /// Bits of DetectedBox::flags; the values are those of Box.msg.
 enum BoxFlag : std::uint8_t {
-  kOccluded = 1,     ///< a part of the top is hidden by something nearer to the camera
-  kTruncated = 2,    ///< the top reaches the border of the image
-  kTouching = 4,     ///< another box touches this one
-  kUnevenTop = 8,    ///< the top is bulged, dented or tilted beyond the tolerance
-  kIncomplete = 16,  ///< a side of the top was not found: pose and size are completed from the others
+  kOccluded = 1,        ///< a part of the top is hidden by something nearer to the camera
+  kTruncated = 2,       ///< the top reaches the border of the image
+  kTouching = 4,        ///< another box touches this one
+  kUnevenTop = 8,       ///< the top is bulged, dented or tilted beyond the tolerance
+  kIncomplete = 16,     ///< a side of the top was not found: pose and size are completed from the others
+  kHeightUnknown = 32,  ///< in a stack: no side face of its own is seen, the height is a guess
 };
 
 /// A box in the base frame (z up). Lengths in metres, angles in radians.

@@ -45,57 +45,58 @@ geometry::Plane randomPlane(std::mt19937& rng) {
   return plane;
 }
 
-TEST(FindLargestPlane, findsItAmongOutliersWithFineAndCoarseNoise) {
+TEST(FindPlanes, findsItAmongOutliersWithFineAndCoarseNoise) {
   std::mt19937 rng(51);
   for (int i = 0; i < 30; ++i) {
     const geometry::Plane plane = randomPlane(rng);
     const double noise = i % 2 == 0 ? 0.0003 : 0.006;
     const auto cloud = planeCloud(plane, 0.3 + 0.02 * i, noise, rng);
-    const PlaneResult result = findLargestPlane(cloud.view(), PlaneOptions());
-    ASSERT_TRUE(result.fit) << result.message << ", seed 51, case " << i;
-    EXPECT_LT(std::acos(std::min(1.0, result.fit->plane.normal.dot(plane.normal))),
+    const PlanesResult result = findPlanes(cloud.view(), PlaneOptions());
+    ASSERT_EQ(result.fits.size(), 1u) << result.message << ", seed 51, case " << i;
+    EXPECT_LT(std::acos(std::min(1.0, result.fits[0].plane.normal.dot(plane.normal))),
               0.1 * noise / 0.0003 * 0.02)
         << "seed 51, case " << i;
-    EXPECT_NEAR(result.fit->plane.offset, plane.offset, 0.5 * noise + 1e-4) << "seed 51, case " << i;
-    EXPECT_GT(result.fit->plane.offset, 0.0) << "the normal points to the camera";
-    EXPECT_LT(result.fit->rms_m, 2.0 * noise + 0.001);
+    EXPECT_NEAR(result.fits[0].plane.offset, plane.offset, 0.5 * noise + 1e-4) << "seed 51, case " << i;
+    EXPECT_GT(result.fits[0].plane.offset, 0.0) << "the normal points to the camera";
+    EXPECT_LT(result.fits[0].rms_m, 2.0 * noise + 0.001);
   }
 }
 
-TEST(FindLargestPlane, isTheSameForTheSameSeed) {
+TEST(FindPlanes, isTheSameForTheSameSeed) {
   std::mt19937 rng(52);
   const auto cloud = planeCloud(randomPlane(rng), 0.5, 0.001, rng);
-  const auto a = findLargestPlane(cloud.view(), PlaneOptions());
-  const auto b = findLargestPlane(cloud.view(), PlaneOptions());
-  ASSERT_TRUE(a.fit && b.fit);
-  EXPECT_EQ(a.fit->plane.offset, b.fit->plane.offset);
-  EXPECT_EQ(a.fit->inliers, b.fit->inliers);
+  const auto a = findPlanes(cloud.view(), PlaneOptions());
+  const auto b = findPlanes(cloud.view(), PlaneOptions());
+  ASSERT_EQ(a.fits.size(), 1u);
+  ASSERT_EQ(b.fits.size(), 1u);
+  EXPECT_EQ(a.fits[0].plane.offset, b.fits[0].plane.offset);
+  EXPECT_EQ(a.fits[0].inliers, b.fits[0].inliers);
 }
 
-TEST(FindLargestPlane, saysWhatItSawInstead) {
+TEST(FindPlanes, saysWhatItSawInstead) {
   geometry::OrganizedCloud empty;
   empty.width = empty.height = 10;
   empty.points.resize(100);
-  const auto none = findLargestPlane(empty.view(), PlaneOptions());
-  EXPECT_FALSE(none.fit);
+  const auto none = findPlanes(empty.view(), PlaneOptions());
+  EXPECT_TRUE(none.fits.empty());
   EXPECT_NE(none.message.find("10 x 10 has 0 points"), std::string::npos) << none.message;
 
   std::mt19937 rng(53);
   PlaneOptions strict;
   strict.min_inlier_ratio = 0.9;
-  const auto small = findLargestPlane(planeCloud(randomPlane(rng), 0.4, 0.001, rng).view(), strict);
-  EXPECT_FALSE(small.fit);
+  const auto small = findPlanes(planeCloud(randomPlane(rng), 0.4, 0.001, rng).view(), strict);
+  EXPECT_TRUE(small.fits.empty());
   EXPECT_NE(small.message.find("less than 90 %"), std::string::npos) << small.message;
 }
 
-TEST(FindLargestPlane, survivesPointsOnALineAndOnASpot) {
+TEST(FindPlanes, survivesPointsOnALineAndOnASpot) {
   geometry::OrganizedCloud cloud;
   cloud.width = 50;
   cloud.height = 2;
   for (int k = 0; k < 100; ++k) cloud.points.push_back({0.01f * static_cast<float>(k), 0.0f, 1.0f, 0});
-  EXPECT_FALSE(findLargestPlane(cloud.view(), PlaneOptions()).fit);
+  EXPECT_TRUE(findPlanes(cloud.view(), PlaneOptions()).fits.empty());
   for (auto& point : cloud.points) point = {0.1f, 0.1f, 1.0f, 0};
-  EXPECT_FALSE(findLargestPlane(cloud.view(), PlaneOptions()).fit);
+  EXPECT_TRUE(findPlanes(cloud.view(), PlaneOptions()).fits.empty());
 }
 
 }  // namespace
