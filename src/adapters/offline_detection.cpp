@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -166,8 +167,9 @@ OfflineDetection detectOffline(const OfflineDetectionRequest& request) {
 void replayOffline(const OfflineDetectionRequest& request,
                    const std::function<void(const ReplayedCloud&)>& use) {
   if (request.bag.empty()) throw std::invalid_argument("a bag is needed");
-  const detection::DetectionOptions options = optionsFrom(request.params);
-  detection::BoxDetector detector(options);
+  detection::DetectionOptions options = optionsFrom(request.params);
+  std::optional<detection::BoxDetector>
+      detector;  // knows the planes that the first cloud's base frame removes
   ReplayedCloud cloud;
   bool has_base = false;
   readCloudBag(request.bag, request.topic, [&](const sensor_msgs::PointCloud2ConstPtr& message) {
@@ -177,8 +179,9 @@ void replayOffline(const OfflineDetectionRequest& request,
     cloud.result.detections = detection::Detections();
     if (content.view) {
       if (!has_base) findBase(request, *content.view, request.bag, options, cloud.result);
+      if (!has_base) detector.emplace(options);
       has_base = true;
-      cloud.result.detections = detector.detect(*content.view, cloud.result.base_from_camera);
+      cloud.result.detections = detector->detect(*content.view, cloud.result.base_from_camera);
     }
     use(cloud);
     return true;

@@ -160,7 +160,8 @@ std::vector<OptionReader> OptionReader::items(const std::string& key) {
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::string path = path_ + itemKey(key, i) + ".";
-    if (!found[i].IsMap()) shared_->problems.push_back(path + " a group of 'key: value' is expected");
+    if (!found[i].IsMap())
+      shared_->problems.push_back(path_ + itemKey(key, i) + ": a group of 'key: value' is expected");
     readers.push_back(OptionReader(found[i], path, shared_));
   }
   return readers;

@@ -15,6 +15,7 @@
 
 #include "box_candidate.hpp"
 #include "clusters.hpp"
+#include "stack_pipeline.hpp"
 
 namespace mixed_palletizing::detection {
 namespace {
@@ -92,12 +93,14 @@ void forgetParts(const std::vector<geometry::Rectangle>& footprints, double marg
 
 class BoxDetector::Impl {
  public:
-  explicit Impl(const DetectionOptions& options) : options_(options), candidate_(options_) {}
+  explicit Impl(const DetectionOptions& options)
+      : options_(options), candidate_(options_), stack_(options_) {}
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
   Detections detect(const geometry::CloudView& view, const geometry::Pose& base_from_camera,
                     bool keep_stages) {
+    if (options_.mode == Mode::kDepalletize) return stack_.detect(view, base_from_camera, keep_stages);
     StageClock clock;
     const BaseCloud cloud(view, base_from_camera);
     Detections result;
@@ -191,6 +194,7 @@ class BoxDetector::Impl {
 
   const DetectionOptions options_;
   BoxCandidate candidate_;
+  StackPipeline stack_;
   RunForest clusters_;
   ClusterShape shape_;
   std::vector<geometry::Rectangle> footprints_;

@@ -7,7 +7,8 @@ namespace {
 class RowCutter {
  public:
   RowCutter(const BaseCloud& cloud, const ClusterLimits& limits, RunForest& clusters)
-      : view_(cloud.view()),
+      : cloud_(cloud),
+        view_(cloud.view()),
         up_(cloud.upInCamera()),
         offset_(limits.camera_height_m),
         limits_(limits),
@@ -23,7 +24,7 @@ class RowCutter {
       const float h = height(p);
       // h - h is 0 exactly for finite numbers.
       if (h - h == 0.0f && p.z() > 0.0f) ++valid;
-      if (!(h > limits_.low_m && h < limits_.high_m && p.z() > 0.0f)) {
+      if (!(h > limits_.low_m && h < limits_.high_m && p.z() > 0.0f) || outside(row, col)) {
         close(row, begin, col);
         begin = -1;
         continue;
@@ -40,6 +41,10 @@ class RowCutter {
   }
 
  private:
+  bool outside(int row, int col) const {
+    return limits_.region.limited() && !limits_.region.contains(cloud_.point(row, col));
+  }
+
   float height(const Eigen::Vector3f& p) const {
     return up_.x() * p.x() + up_.y() * p.y() + up_.z() * p.z() + offset_;
   }
@@ -56,6 +61,7 @@ class RowCutter {
     });
   }
 
+  const BaseCloud& cloud_;
   const geometry::CloudView& view_;
   const Eigen::Vector3f up_;
   const float offset_;
@@ -73,7 +79,8 @@ ClusterLimits::ClusterLimits(const DetectionOptions& options, const SensorNoise&
       distance_m(static_cast<float>(options.cluster.neighbor_distance_m)),
       spacing_per_m(static_cast<float>(options.noise.spacings * noise.spacing_per_m)),
       noise_per_m2(static_cast<float>(options.noise.sigmas * noise.depth_per_m2)),
-      camera_height_m(static_cast<float>(cloud.camera().z())) {}
+      camera_height_m(static_cast<float>(cloud.camera().z())),
+      region(options.region) {}
 
 std::size_t findClusters(const BaseCloud& cloud, const ClusterLimits& limits, RunForest& clusters) {
   clusters.clear();

@@ -21,6 +21,7 @@ struct ClusterLimits {
   float spacing_per_m = 0.0f;  ///< what the comparator grants to the spacing, at depth 1 m
   float noise_per_m2 = 0.0f;   ///< and to the depth noise
   float camera_height_m = 0.0f;
+  WorkRegion region;  ///< points outside are ignored
 
   ClusterLimits(const DetectionOptions& options, const SensorNoise& noise, const BaseCloud& cloud);
 

@@ -8,6 +8,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "board_fit.hpp"
 #include "gray_image.hpp"
 #include "marker.hpp"
 #include "marker_dictionary.hpp"
@@ -113,56 +114,6 @@ std::optional<Located> locate(const geometry::CloudView& cloud, const cv::Mat& g
   return located;
 }
 
-/// Place of the board in the axes of the floor, and how well its markers lie there.
-struct BoardFit {
-  Eigen::Vector2d origin = Eigen::Vector2d::Zero();
-  double yaw_rad = 0.0;
-  double rms_m = 0.0;
-  double worst_m = 0.0;
-  int worst_id = 0;
-};
-
-/// Rigid motion that brings the board's corners onto the seen ones, by least squares.
-BoardFit fitBoard(const std::vector<Located>& seen, const std::vector<BoardMarker>& places) {
-  const double n = 4.0 * static_cast<double>(seen.size());
-  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> pairs;  // on the board, on the floor
-  Eigen::Vector2d board_mean = Eigen::Vector2d::Zero();
-  Eigen::Vector2d floor_mean = Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    PlaneMarker known = seen[i].on_floor;
-    known.center = {places[i].x_m, places[i].y_m};
-    known.yaw_rad = places[i].yaw_rad;
-    const auto from = known.corners();
-    const auto to = seen[i].on_floor.corners();
-    for (std::size_t k = 0; k < 4; ++k) {
-      pairs.emplace_back(from[k], to[k]);
-      board_mean += from[k] / n;
-      floor_mean += to[k] / n;
-    }
-  }
-  double along = 0.0;
-  double across = 0.0;
-  for (const auto& [from, to] : pairs) {
-    const Eigen::Vector2d a = from - board_mean;
-    const Eigen::Vector2d b = to - floor_mean;
-    along += a.dot(b);
-    across += a.x() * b.y() - a.y() * b.x();
-  }
-  BoardFit fit;
-  fit.yaw_rad = std::atan2(across, along);
-  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(fit.yaw_rad).toRotationMatrix();
-  fit.origin = floor_mean - turn * board_mean;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const double error = (fit.origin + turn * pairs[i].first - pairs[i].second).norm();
-    fit.rms_m += error * error / n;
-    if (error < fit.worst_m) continue;
-    fit.worst_m = error;
-    fit.worst_id = places[i / 4].id;
-  }
-  fit.rms_m = std::sqrt(fit.rms_m);
-  return fit;
-}
-
 std::string notSeen(const MarkerOptions& options, const std::vector<PixelMarker>& seen) {
   std::ostringstream message;
   if (options.board.empty()) {
@@ -225,6 +176,7 @@ std::string placeOnMarkers(const geometry::CloudView& cloud, const DetectionOpti
   const std::vector<PixelMarker> seen = detectMarkers(gray, PlaneMap{axes, *rays}, options.marker);
   const std::vector<BoardMarker> wanted = wantedPlaces(options.marker);
   std::vector<Located> used;
+  std::vector<PlaneMarker> on_floor;
   std::vector<BoardMarker> places;
   std::vector<MarkerSighting> others;
   bool wanted_seen = false;
@@ -241,6 +193,7 @@ std::string placeOnMarkers(const geometry::CloudView& cloud, const DetectionOpti
       continue;
     }
     used.push_back(*located);
+    on_floor.push_back(located->on_floor);
     places.push_back(*place);
   }
   if (!wanted_seen) return notSeen(options.marker, seen);
@@ -248,7 +201,7 @@ std::string placeOnMarkers(const geometry::CloudView& cloud, const DetectionOpti
     return "marker " + std::to_string(wanted.front().id) +
            " is seen, but not as a square on the floor with measured points around it";
   }
-  const BoardFit fit = fitBoard(used, places);
+  const BoardFit fit = fitBoard(on_floor, places);
   if (fit.worst_m > options.marker.max_board_error_m) {
     std::ostringstream message;
     message << "marker " << fit.worst_id << " lies " << 1000.0 * fit.worst_m

@@ -34,6 +34,21 @@ class CalibrationFile : public ::testing::Test {
                                 .string();
 };
 
+TEST_F(CalibrationFile, keepsThePlanesThatHoldNoBoxes) {
+  Calibration calibration;
+  calibration.removed_planes = {{Eigen::Vector3d::UnitX(), -0.7}, {Eigen::Vector3d(0.0, 0.6, 0.8), 0.1}};
+  writeCalibration(path_, calibration);
+  const Calibration read = readCalibration(path_);
+  ASSERT_EQ(read.removed_planes.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_LT((read.removed_planes[i].normal - calibration.removed_planes[i].normal).norm(), 1e-12);
+    EXPECT_EQ(read.removed_planes[i].offset, calibration.removed_planes[i].offset);
+  }
+  const std::string matrix = "base_from_camera: [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]\n";
+  expectRefused(matrix + "removed_planes: [1, 0, 0]", "removed_planes");
+  expectRefused(matrix + "removed_planes: [2, 0, 0, 1]", "removed_planes");
+}
+
 TEST_F(CalibrationFile, comesBackAsItWasWritten) {
   std::mt19937 rng(91);
   std::normal_distribution<double> normal;
