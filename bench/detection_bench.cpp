@@ -9,7 +9,7 @@
 #include <mixed_palletizing/detection/base_frame.hpp>
 #include <mixed_palletizing/detection/box_detector.hpp>
 #include <mixed_palletizing/simulation/capture.hpp>
-#include <mixed_palletizing/simulation/random_scene.hpp>
+#include <mixed_palletizing/simulation/recipe.hpp>
 
 namespace mixed_palletizing {
 namespace {
@@ -23,11 +23,11 @@ struct Setup {
 
 const Setup& setup() {
   static const Setup instance = [] {
-    simulation::RandomSceneOptions options;
-    options.boxes_min = options.boxes_max = 4;
-    options.scene.noise.depth_stddev_at_1m_m = 0.0002;
-    options.scene.noise.no_data_on_black = true;
-    const simulation::Scene scene = simulation::randomScene(options, 7);
+    simulation::Recipe recipe;
+    recipe.groups.front().count = {4, 4};
+    recipe.scene.noise.depth_stddev_at_1m_m = 0.0002;
+    recipe.scene.noise.no_data_on_black = true;
+    const simulation::Scene scene = simulation::recipeScene(recipe, 7, 0);
     Setup made;
     std_msgs::Header header;
     header.frame_id = "camera";

@@ -4,8 +4,8 @@
 #include <geometry_msgs/PointStamped.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
+#include <mixed_palletizing/adapters/camera_images.hpp>
 #include <mixed_palletizing/adapters/cell_simulator.hpp>
-#include <mixed_palletizing/adapters/cell_simulator_images.hpp>
 #include <mixed_palletizing/adapters/cloud_message.hpp>
 #include <mixed_palletizing/adapters/parameters.hpp>
 #include <mixed_palletizing/geometry/rectangle.hpp>
@@ -45,6 +45,7 @@ Box trueBox(const simulation::SceneBox& solid, std::size_t id) {
 
 CellSimulator::CellSimulator(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
     : options_(readCellSimulatorOptions(parameterTree(private_node))),
+      cloud_layout_(cloudLayout(options_.cloud_layout)),
       instance_(cellOrder(options_.order)),
       scene_(cellScene(options_)),
       area_(instance_, options_.n_pick, CellLayout(scene_, options_.layout),
@@ -94,20 +95,20 @@ void CellSimulator::capture() {
   scene_.boxes.clear();
   for (const PickAreaBox& box : area_.boxes()) scene_.boxes.push_back(box.solid);
   const std::uint64_t seed = derivedSeed(options_.order.seed, SeedOf::kNoise, captures_++);
-  simulation::Capture captured = simulation::capture(scene_, seed, options_.threads);
-  geometry::OrganizedCloud& cloud = captured.cloud;
+  const simulation::Capture captured = simulation::capture(scene_, seed, options_.threads);
+  const geometry::OrganizedCloud& cloud = captured.cloud;
   std_msgs::Header header;
   header.stamp = ros::Time::now();
   header.frame_id = options_.frame_id;
 
-  if (points_xyzrgba_.getNumSubscribers() > 0) points_xyzrgba_.publish(toMessage(cloud, header));
+  if (points_xyzrgba_.getNumSubscribers() > 0)
+    points_xyzrgba_.publish(toMessage(cloud, header, cloud_layout_));
   if (color_image_.getNumSubscribers() > 0) color_image_.publish(colorImage(cloud, header));
   if (depth_image_.getNumSubscribers() > 0) depth_image_.publish(depthImage(cloud, header));
   if (color_info_.getNumSubscribers() > 0) color_info_.publish(cameraInfo(scene_.camera, header));
   if (depth_info_.getNumSubscribers() > 0) depth_info_.publish(cameraInfo(scene_.camera, header));
   if (points_xyz_.getNumSubscribers() > 0) {
-    cloud.has_color = false;
-    points_xyz_.publish(toMessage(cloud, header));
+    points_xyz_.publish(toMessage(cloud, header, CloudLayout::kXyz));
   }
 }
 

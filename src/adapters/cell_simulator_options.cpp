@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include <mixed_palletizing/adapters/cell_simulator_options.hpp>
+#include <mixed_palletizing/adapters/cloud_layout.hpp>
 #include <mixed_palletizing/adapters/option_reader.hpp>
 
 namespace mixed_palletizing::adapters {
@@ -82,6 +84,10 @@ std::vector<std::string> problems(const CellSimulatorOptions& options) {
   };
   require(options.n_pick >= 0, "n_pick: " + std::to_string(options.n_pick) + " is negative");
   require(!options.frame_id.empty(), "frame_id: a name is needed");
+  const std::vector<std::string>& layouts = cloudLayoutNames();
+  require(options.cloud_layout != "xyz" &&
+              std::find(layouts.begin(), layouts.end(), options.cloud_layout) != layouts.end(),
+          "cloud_layout: '" + options.cloud_layout + "' is no layout with colour");
   require(!options.base_frame.empty(), "base_frame: a name is needed");
   require(options.take_tolerance_m >= 0.0,
           "take_tolerance_m: " + std::to_string(options.take_tolerance_m) + " m is negative");
@@ -108,6 +114,7 @@ CellSimulatorOptions readCellSimulatorOptions(const YAML::Node& tree) {
   readCellOrderOptions(reader, options.order);
   reader.read("n_pick", options.n_pick);
   reader.read("frame_id", options.frame_id);
+  reader.read("cloud_layout", options.cloud_layout);
   reader.read("base_frame", options.base_frame);
   reader.read("take_tolerance_m", options.take_tolerance_m);
   reader.read("tf_timeout_s", options.tf_timeout_s);

@@ -9,6 +9,8 @@
 #include <mixed_palletizing/adapters/cloud_files.hpp>
 #include <mixed_palletizing/adapters/cloud_message.hpp>
 
+#include "bag_writer.hpp"
+
 namespace mixed_palletizing::adapters {
 namespace {
 
@@ -58,21 +60,17 @@ void writeCloudBag(const std::vector<std::string>& clouds, const std::string& ba
   std::vector<geometry::OrganizedCloud> read;
   read.reserve(clouds.size());
   for (const std::string& path : clouds) read.push_back(readCloud(path));
-  try {
-    rosbag::Bag file(bag, rosbag::bagmode::Write);
-    std_msgs::Header header;
-    header.frame_id = options.frame_id;
-    header.stamp.fromSec(options.start_s);
-    for (int i = 0; i < options.repeat; ++i) {
-      for (const geometry::OrganizedCloud& cloud : read) {
-        file.write(options.topic, header.stamp, toMessage(cloud, header));
-        header.stamp += ros::Duration(options.period_s);
-      }
+  BagWriter file(bag);
+  std_msgs::Header header;
+  header.frame_id = options.frame_id;
+  header.stamp.fromSec(options.start_s);
+  for (int i = 0; i < options.repeat; ++i) {
+    for (const geometry::OrganizedCloud& cloud : read) {
+      file.write(options.topic, header.stamp, toMessage(cloud, header));
+      header.stamp += ros::Duration(options.period_s);
     }
-    file.close();
-  } catch (const ros::Exception& error) {
-    throw fault(bag, error.what());
   }
+  file.close();
 }
 
 void readCloudBag(const std::string& bag, const std::string& topic,

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -14,27 +13,13 @@
 #include <mixed_palletizing/adapters/cloud_files.hpp>
 
 #include "cloud_file_headers.hpp"
+#include "cloud_file_type.hpp"
 
 namespace mixed_palletizing::adapters {
 namespace {
 
 using geometry::ColoredPoint;
 using geometry::OrganizedCloud;
-
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
-  throw std::runtime_error(path + ": " + reason);
-}
-
-enum class Format { kPcd, kPly };
-
-Format formatOf(const std::string& path) {
-  std::string ending = path.size() < 4 ? path : path.substr(path.size() - 4);
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == ".pcd") return Format::kPcd;
-  if (ending == ".ply") return Format::kPly;
-  fail(path, "neither .pcd nor .ply");
-}
 
 /// PCL reports on the console; our callers get one line by exception instead.
 class QuietPcl {
@@ -51,20 +36,21 @@ class QuietPcl {
 };
 
 pcl::PCLPointCloud2 readAny(const std::string& path) {
-  const Format format = formatOf(path);
+  const CloudFileType type = cloudFileType(path);
   std::ifstream file(path, std::ios::binary);
   if (!file) fail(path, std::string("cannot open: ") + std::strerror(errno));
   file.seekg(0, std::ios::end);
   const auto bytes = static_cast<std::size_t>(std::max<std::streamoff>(file.tellg(), 0));
   file.seekg(0);
   const std::string problem =
-      format == Format::kPcd ? pcdHeaderProblem(file, bytes) : plyHeaderProblem(file, bytes);
+      type == CloudFileType::kPcd ? pcdHeaderProblem(file, bytes) : plyHeaderProblem(file, bytes);
   if (!problem.empty()) fail(path, problem);
   pcl::PCLPointCloud2 cloud;
   int status = -1;
   try {
     const QuietPcl quiet;
-    status = format == Format::kPcd ? pcl::PCDReader().read(path, cloud) : pcl::PLYReader().read(path, cloud);
+    status =
+        type == CloudFileType::kPcd ? pcl::PCDReader().read(path, cloud) : pcl::PLYReader().read(path, cloud);
   } catch (const std::exception& error) {  // e.g. std::bad_alloc for a header that promises too many points
     fail(path, std::string("cannot read: ") + error.what());
   }
@@ -128,36 +114,6 @@ void checkGrid(const std::string& path, const pcl::PCLPointCloud2& cloud) {
   if (cloud.data.size() < size * cloud.point_step) fail(path, "truncated: fewer points than promised");
 }
 
-std::string header(const OrganizedCloud& cloud, Format format) {
-  const std::string width = std::to_string(cloud.width);
-  const std::string height = std::to_string(cloud.height);
-  const std::string count = std::to_string(cloud.points.size());
-  const bool color = cloud.has_color;
-  if (format == Format::kPcd) {
-    return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z" +
-           std::string(color ? " rgba" : "") + "\nSIZE 4 4 4" + (color ? " 4" : "") + "\nTYPE F F F" +
-           (color ? " U" : "") + "\nCOUNT 1 1 1" + (color ? " 1" : "") + "\nWIDTH " + width + "\nHEIGHT " +
-           height + "\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + count + "\nDATA binary\n";
-  }
-  const std::string colors =
-      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n";
-  return "ply\nformat binary_little_endian 1.0\nobj_info num_cols " + width + "\nobj_info num_rows " +
-         height + "\nelement vertex " + count + "\nproperty float x\nproperty float y\nproperty float z\n" +
-         (color ? colors : std::string()) + "end_header\n";
-}
-
-std::vector<char> body(const OrganizedCloud& cloud, Format format) {
-  const std::size_t step = cloud.has_color ? sizeof(ColoredPoint) : 3 * sizeof(float);
-  std::vector<char> bytes(cloud.points.size() * step);
-  char* out = bytes.data();
-  for (const ColoredPoint& point : cloud.points) {
-    std::memcpy(out, &point, step);
-    if (cloud.has_color && format == Format::kPly) std::swap(out[12], out[14]);  // b, g, r, a -> r, g, b, a
-    out += step;
-  }
-  return bytes;
-}
-
 }  // namespace
 
 OrganizedCloud readCloud(const std::string& path) {
@@ -182,23 +138,6 @@ OrganizedCloud readCloud(const std::string& path) {
     bytes += raw.point_step;
   }
   return cloud;
-}
-
-void writeCloud(const std::string& path, const OrganizedCloud& cloud) {
-  const Format format = formatOf(path);
-  if (cloud.width < 1 || cloud.height < 1 || cloud.points.size() != cloud.view().size()) {
-    throw std::invalid_argument("writeCloud: cloud has " + std::to_string(cloud.points.size()) +
-                                " points for width " + std::to_string(cloud.width) + " and height " +
-                                std::to_string(cloud.height));
-  }
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  if (!file) fail(path, std::string("cannot open for writing: ") + std::strerror(errno));
-  const std::string head = header(cloud, format);
-  const std::vector<char> bytes = body(cloud, format);
-  file.write(head.data(), static_cast<std::streamsize>(head.size()));
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (!file) fail(path, std::string("cannot write: ") + std::strerror(errno));
 }
 
 }  // namespace mixed_palletizing::adapters

@@ -102,11 +102,11 @@ CheckedCloud checkLayout(const PointCloud2& message) {
   return {};
 }
 
-PointField makeField(const char* name, std::uint32_t offset) {
+PointField makeField(const CloudField& described) {
   PointField field;
-  field.name = name;
-  field.offset = offset;
-  field.datatype = PointField::FLOAT32;
+  field.name = described.name;
+  field.offset = static_cast<std::uint32_t>(described.offset);
+  field.datatype = described.is_float ? PointField::FLOAT32 : PointField::UINT32;
   field.count = 1;
   return field;
 }
@@ -165,7 +165,8 @@ CheckedCloud checkCloud(const PointCloud2& message) {
   return checked;
 }
 
-sensor_msgs::PointCloud2Ptr toMessage(const geometry::OrganizedCloud& cloud, const std_msgs::Header& header) {
+sensor_msgs::PointCloud2Ptr toMessage(const geometry::OrganizedCloud& cloud, const std_msgs::Header& header,
+                                      CloudLayout layout) {
   const std::size_t size = static_cast<std::size_t>(cloud.width) * static_cast<std::size_t>(cloud.height);
   if (cloud.width < 0 || cloud.height < 0 || cloud.points.size() != size) {
     throw std::invalid_argument("toMessage: cloud: " + std::to_string(cloud.points.size()) +
@@ -176,14 +177,14 @@ sensor_msgs::PointCloud2Ptr toMessage(const geometry::OrganizedCloud& cloud, con
   message->header = header;
   message->width = static_cast<std::uint32_t>(cloud.width);
   message->height = static_cast<std::uint32_t>(cloud.height);
-  message->fields = {makeField("x", 0), makeField("y", 4), makeField("z", 8)};
-  if (cloud.has_color) message->fields.push_back(makeField("rgba", 12));
+  if (!cloud.has_color) layout = CloudLayout::kXyz;
+  const CloudFormat format = cloudFormat(layout);
+  for (const CloudField& field : format.fields) message->fields.push_back(makeField(field));
   message->is_bigendian = 0;
   message->is_dense = 0;
-  message->point_step = sizeof(geometry::ColoredPoint);
+  message->point_step = static_cast<std::uint32_t>(format.point_step);
   message->row_step = message->point_step * message->width;
-  message->data.resize(size * sizeof(geometry::ColoredPoint));
-  if (size > 0) std::memcpy(message->data.data(), cloud.points.data(), message->data.size());
+  message->data = packPoints(cloud, layout);
   return message;
 }
 

@@ -4,7 +4,7 @@
 #include <mixed_palletizing/adapters/cloud_bag.hpp>
 #include <mixed_palletizing/adapters/cloud_files.hpp>
 #include <mixed_palletizing/simulation/capture.hpp>
-#include <mixed_palletizing/simulation/random_scene.hpp>
+#include <mixed_palletizing/simulation/recipe.hpp>
 
 #include "tool_fixture.hpp"
 
@@ -14,12 +14,12 @@ namespace {
 class BagRegression : public test::ToolFixture {
  protected:
   BagRegression() : ToolFixture(BAG_REGRESSION_TOOL) {
-    simulation::RandomSceneOptions options;
-    options.boxes_min = options.boxes_max = 2;
-    options.scene.camera.width_px = 480;
-    options.scene.camera.height_px = 300;
-    options.scene.noise.depth_stddev_at_1m_m = 0.0003;
-    simulation::Scene scene = simulation::randomScene(options, 5);
+    simulation::Recipe recipe;
+    recipe.groups.front().count = {2, 2};
+    recipe.scene.camera.width_px = 480;
+    recipe.scene.camera.height_px = 300;
+    recipe.scene.noise.depth_stddev_at_1m_m = 0.0003;
+    simulation::Scene scene = simulation::recipeScene(recipe, 5, 0);
     adapters::writeCloud(path("a.pcd"), simulation::capture(scene, 5).cloud);
     adapters::writeCloud(path("b.pcd"), simulation::capture(scene, 6).cloud);
     scene.boxes.pop_back();

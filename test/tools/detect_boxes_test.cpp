@@ -10,7 +10,7 @@
 #include <mixed_palletizing/adapters/cloud_bag.hpp>
 #include <mixed_palletizing/adapters/cloud_files.hpp>
 #include <mixed_palletizing/simulation/capture.hpp>
-#include <mixed_palletizing/simulation/random_scene.hpp>
+#include <mixed_palletizing/simulation/recipe.hpp>
 
 #include "recorded_data.hpp"
 #include "tool_fixture.hpp"
@@ -22,13 +22,13 @@ class DetectBoxes : public test::ToolFixture {
  protected:
   DetectBoxes() : ToolFixture(DETECT_BOXES_TOOL) {}
   void SetUp() override {
-    simulation::RandomSceneOptions options;
-    options.boxes_min = options.boxes_max = 2;
-    options.scene.camera.width_px = 640;
-    options.scene.camera.height_px = 400;
-    options.scene.noise.depth_stddev_at_1m_m = 0.0003;
-    options.scene.noise.no_data_on_black = true;
-    scene_ = simulation::randomScene(options, 77);
+    simulation::Recipe recipe;
+    recipe.groups.front().count = {2, 2};
+    recipe.scene.camera.width_px = 640;
+    recipe.scene.camera.height_px = 400;
+    recipe.scene.noise.depth_stddev_at_1m_m = 0.0003;
+    recipe.scene.noise.no_data_on_black = true;
+    scene_ = simulation::recipeScene(recipe, 77, 0);
     adapters::writeCloud(path("c.pcd"), simulation::capture(scene_, 77).cloud);
   }
 

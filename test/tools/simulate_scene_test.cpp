@@ -93,6 +93,18 @@ TEST_F(SimulateScene, WarnsOfThingsWithinEachOther) {
   EXPECT_EQ(read("err.txt"), path("s.yaml") + ": warning: objects[0]: reaches into boxes[0]\n");
 }
 
+TEST_F(SimulateScene, WritesImagesCalibrationAndBag) {
+  ASSERT_EQ(run("--scene " + scene_ + " --truth " + path("t.json") + " --out " + path("c.ply") + " --color " +
+                path("c.png") + " --depth " + path("d.tiff") + " --camera_info " + path("i.yaml") +
+                " --bag " + path("b.bag") + " --layout xyzcrgb"),
+            0)
+      << read("err.txt");
+  for (const std::string name : {"c.ply", "c.png", "d.tiff", "i.yaml", "b.bag"}) {
+    EXPECT_GT(std::filesystem::file_size(path(name)), 200u) << name;
+  }
+  EXPECT_NE(read("c.ply").substr(0, 400).find("property float c\n"), std::string::npos);
+}
+
 TEST_F(SimulateScene, BadInputIsOneClearLine) {
   const std::string outputs = " --out " + path("c.pcd") + " --truth " + path("t.json");
   const std::string bad = path("bad.yaml");
@@ -106,6 +118,7 @@ TEST_F(SimulateScene, BadInputIsOneClearLine) {
                      "no/c.pcd");
   expectOneClearLine("--scene " + scene_ + " --truth " + path("t.json") + " --out " + path("c.txt"), "c.txt");
   expectOneClearLine("--scene " + scene_ + outputs + " --mask " + path("m.jpg"), "m.jpg");
+  expectOneClearLine("--scene " + scene_ + outputs + " --layout abc", "'abc' is none of xyz,");
 }
 
 TEST_F(SimulateScene, Helps) {

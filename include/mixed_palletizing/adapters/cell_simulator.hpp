@@ -12,6 +12,7 @@
 #include <mixed_palletizing/TakeBox.h>
 #include <mixed_palletizing/adapters/cell_simulator_options.hpp>
 #include <mixed_palletizing/adapters/cell_simulator_pick_area.hpp>
+#include <mixed_palletizing/adapters/cloud_layout.hpp>
 
 namespace mixed_palletizing::adapters {
 
@@ -34,6 +35,7 @@ class CellSimulator {
   void publishTruth();
 
   const CellSimulatorOptions options_;
+  const CloudLayout cloud_layout_;
   const instances::Instance instance_;
   std::mutex mutex_;  // guards scene_, area_ and captures_: a nodelet's callbacks may run at the same time
   simulation::Scene scene_;

@@ -25,9 +25,10 @@ struct CellCameraOptions {
 
 struct CellSimulatorOptions {
   CellOrderOptions order;
-  int n_pick = 0;                              ///< boxes in the pick area; 0 = the order's
-  std::string frame_id = names::kCameraFrame;  ///< of the clouds
-  std::string base_frame = names::kBaseFrame;  ///< of the topic `truth`: the marker's
+  int n_pick = 0;                                ///< boxes in the pick area; 0 = the order's
+  std::string frame_id = names::kCameraFrame;    ///< of the clouds
+  std::string cloud_layout = "xyzrgba_float32";  ///< of points/xyzrgba: one of cloudLayoutNames() with colour
+  std::string base_frame = names::kBaseFrame;    ///< of the topic `truth`: the marker's
   CellCameraOptions camera;
   simulation::Floor floor;
   simulation::Marker marker;

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <mixed_palletizing/adapters/cloud_layout.hpp>
 #include <mixed_palletizing/geometry/organized_cloud.hpp>
 
 namespace mixed_palletizing::adapters {
@@ -14,9 +15,11 @@ namespace mixed_palletizing::adapters {
 /// (one row), without points, or without x, y, z.
 geometry::OrganizedCloud readCloud(const std::string& path);
 
-/// Writes a `.pcd` (binary) or `.ply` file (binary, with the grid) by the ending of the path; with
-/// `has_color` = false without the colour field. Throws std::invalid_argument when `points` is not
+/// Writes a `.pcd` (binary) or `.ply` file (binary, with the grid) by the ending of the path, the fields of the
+/// layout without padding; with `has_color` = false x, y, z alone. In a `.ply` colour is always four bytes red, green,
+/// blue, alpha. Throws std::invalid_argument when `points` is not
 /// width * height long, std::runtime_error "PATH: reason" when the file cannot be written.
-void writeCloud(const std::string& path, const geometry::OrganizedCloud& cloud);
+void writeCloud(const std::string& path, const geometry::OrganizedCloud& cloud,
+                CloudLayout layout = CloudLayout::kXyzrgbaUint32);
 
 }  // namespace mixed_palletizing::adapters

@@ -6,6 +6,7 @@
 
 #include <sensor_msgs/PointCloud2.h>
 
+#include <mixed_palletizing/adapters/cloud_layout.hpp>
 #include <mixed_palletizing/geometry/cloud_view.hpp>
 #include <mixed_palletizing/geometry/organized_cloud.hpp>
 
@@ -46,8 +47,9 @@ struct CheckedCloud {
 /// numbers say.
 CheckedCloud checkCloud(const sensor_msgs::PointCloud2& message);
 
-/// A message in the layout of Zivid's ROS 1 driver: x, y, z, rgba as FLOAT32 at 0, 4, 8, 12, 16 bytes a
-/// point. Throws std::invalid_argument when `points` is not width * height long.
-sensor_msgs::PointCloud2Ptr toMessage(const geometry::OrganizedCloud& cloud, const std_msgs::Header& header);
+/// A message in one of the drivers' layouts; with `has_color` = false x, y, z alone. Throws std::invalid_argument
+/// when `points` is not width * height long.
+sensor_msgs::PointCloud2Ptr toMessage(const geometry::OrganizedCloud& cloud, const std_msgs::Header& header,
+                                      CloudLayout layout = CloudLayout::kXyzrgbaFloat32);
 
 }  // namespace mixed_palletizing::adapters

@@ -22,12 +22,12 @@ void expectNear(const geometry::Pose& found, const geometry::Pose& truth, double
 
 TEST(FindBaseFrame, findsTheMarkerOfRandomViews) {
   for (std::uint64_t seed = 400; seed < 412; ++seed) {
-    auto options = test::sceneOptions(0.0003, 960, 600);
-    options.scene.marker.inverted = seed % 2 == 0;
-    options.scene.marker.yaw_rad = 0.7 * static_cast<double>(seed);
-    options.scene.marker.dictionary = seed % 3 == 0 ? "DICT_5X5_100" : "DICT_4X4_50";
-    options.scene.noise.no_data_on_black = seed % 4 != 3;
-    const Scene scene = simulation::randomScene(options, seed);
+    auto recipe = test::sceneRecipe(0.0003, 960, 600);
+    recipe.scene.marker.inverted = seed % 2 == 0;
+    recipe.scene.marker.yaw_rad = 0.7 * static_cast<double>(seed);
+    recipe.scene.marker.dictionary = seed % 3 == 0 ? "DICT_5X5_100" : "DICT_4X4_50";
+    recipe.scene.noise.no_data_on_black = seed % 4 != 3;
+    const Scene scene = simulation::recipeScene(recipe, seed, 0);
     const auto capture = simulation::capture(scene, seed);
     DetectionOptions detection;
     detection.marker.dictionary = scene.marker.dictionary;
@@ -46,7 +46,7 @@ TEST(FindBaseFrame, findsTheMarkerOfRandomViews) {
 }
 
 TEST(FindBaseFrame, putsTheFloorsOriginUnderTheCamera) {
-  const Scene scene = simulation::randomScene(test::sceneOptions(0.0003, 640, 400), 31);
+  const Scene scene = simulation::recipeScene(test::sceneRecipe(0.0003, 640, 400), 31, 0);
   const auto capture = simulation::capture(scene, 31);
   const auto result = findBaseFrame(capture.cloud.view(), BaseFrameSource::kFloor, DetectionOptions());
   ASSERT_TRUE(result.frame) << result.message;
@@ -59,9 +59,9 @@ TEST(FindBaseFrame, putsTheFloorsOriginUnderTheCamera) {
 }
 
 TEST(FindBaseFrame, saysWhatItSawInsteadOfTheMarker) {
-  auto options = test::sceneOptions(0.0003, 960, 600);
-  options.scene.marker.id = 7;
-  const Scene scene = simulation::randomScene(options, 32);
+  auto recipe = test::sceneRecipe(0.0003, 960, 600);
+  recipe.scene.marker.id = 7;
+  const Scene scene = simulation::recipeScene(recipe, 32, 0);
   auto capture = simulation::capture(scene, 32);
   const auto other = findBaseFrame(capture.cloud.view(), BaseFrameSource::kMarker, DetectionOptions());
   EXPECT_FALSE(other.frame);

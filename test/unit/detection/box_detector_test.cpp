@@ -52,7 +52,7 @@ void expectAllFound(const Scene& scene, std::uint64_t seed, const DetectionOptio
 TEST(BoxDetector, findsEverySeparatedBoxToAFractionOfAMillimetre) {
   const Bounds bounds{0.0003, 0.0017, 0.0004, 0.0001};
   for (std::uint64_t seed = 500; seed < 506; ++seed) {
-    expectAllFound(simulation::randomScene(test::sceneOptions(0.0002, 1920, 1200), seed), seed,
+    expectAllFound(simulation::recipeScene(test::sceneRecipe(0.0002, 1920, 1200), seed, 0), seed,
                    DetectionOptions(), bounds);
   }
 }
@@ -60,7 +60,7 @@ TEST(BoxDetector, findsEverySeparatedBoxToAFractionOfAMillimetre) {
 TEST(BoxDetector, staysGoodWithFourTimesTheNoiseAndCoarsePixels) {
   const Bounds bounds{0.001, 0.005, 0.0015, 0.0003};
   for (std::uint64_t seed = 520; seed < 530; ++seed) {
-    expectAllFound(simulation::randomScene(test::sceneOptions(0.0008, 960, 600), seed), seed,
+    expectAllFound(simulation::recipeScene(test::sceneRecipe(0.0008, 960, 600), seed, 0), seed,
                    DetectionOptions(), bounds);
   }
 }
@@ -68,11 +68,11 @@ TEST(BoxDetector, staysGoodWithFourTimesTheNoiseAndCoarsePixels) {
 TEST(BoxDetector, standsShadowsDropOutsAndFlyingPixels) {
   const Bounds bounds{0.001, 0.005, 0.002, 0.0003};
   for (std::uint64_t seed = 540; seed < 548; ++seed) {
-    auto options = test::sceneOptions(0.0003, 960, 600);
-    options.scene.camera.projector_m = Eigen::Vector3d(0.15, 0.0, 0.0);
-    options.scene.noise.dropout_ratio = 0.01;
-    options.scene.noise.flying_pixel_ratio = 0.5;
-    expectAllFound(simulation::randomScene(options, seed), seed, DetectionOptions(), bounds);
+    auto recipe = test::sceneRecipe(0.0003, 960, 600);
+    recipe.scene.camera.projector_m = Eigen::Vector3d(0.15, 0.0, 0.0);
+    recipe.scene.noise.dropout_ratio = 0.01;
+    recipe.scene.noise.flying_pixel_ratio = 0.5;
+    expectAllFound(simulation::recipeScene(recipe, seed, 0), seed, DetectionOptions(), bounds);
   }
 }
 
@@ -81,14 +81,14 @@ TEST(BoxDetector, findsTheSameBoxesByTheThesisAlone) {
   DetectionOptions options;
   options.method = Method::kThesis;
   for (std::uint64_t seed = 560; seed < 566; ++seed) {
-    expectAllFound(simulation::randomScene(test::sceneOptions(0.0003, 960, 600), seed), seed, options,
+    expectAllFound(simulation::recipeScene(test::sceneRecipe(0.0003, 960, 600), seed, 0), seed, options,
                    bounds);
   }
 }
 
 TEST(BoxDetector, labelsThePixelsOfEachBox) {
   for (std::uint64_t seed = 580; seed < 584; ++seed) {
-    const Scene scene = simulation::randomScene(test::sceneOptions(0.0003, 640, 400), seed);
+    const Scene scene = simulation::recipeScene(test::sceneRecipe(0.0003, 640, 400), seed, 0);
     const auto capture = simulation::capture(scene, seed);
     BoxDetector detector{DetectionOptions()};
     const Detections found = detector.detect(capture.cloud.view(), test::trueBaseFromCamera(scene));

@@ -9,17 +9,17 @@
 #include <mixed_palletizing/detection/detections.hpp>
 #include <mixed_palletizing/geometry/pose.hpp>
 #include <mixed_palletizing/simulation/capture.hpp>
-#include <mixed_palletizing/simulation/random_scene.hpp>
+#include <mixed_palletizing/simulation/recipe.hpp>
 
 namespace mixed_palletizing::test {
 
-inline simulation::RandomSceneOptions sceneOptions(double noise_at_1m_m, int width_px, int height_px) {
-  simulation::RandomSceneOptions options;
-  options.scene.camera.width_px = width_px;
-  options.scene.camera.height_px = height_px;
-  options.scene.noise.depth_stddev_at_1m_m = noise_at_1m_m;
-  options.scene.noise.no_data_on_black = true;
-  return options;
+inline simulation::Recipe sceneRecipe(double noise_at_1m_m, int width_px, int height_px) {
+  simulation::Recipe recipe;
+  recipe.scene.camera.width_px = width_px;
+  recipe.scene.camera.height_px = height_px;
+  recipe.scene.noise.depth_stddev_at_1m_m = noise_at_1m_m;
+  recipe.scene.noise.no_data_on_black = true;
+  return recipe;
 }
 
 inline geometry::Pose trueBaseFromCamera(const simulation::Scene& scene) {

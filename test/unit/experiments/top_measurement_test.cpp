@@ -4,20 +4,20 @@
 #include <nlohmann/json.hpp>
 
 #include <mixed_palletizing/experiments/top_measurement.hpp>
-#include <mixed_palletizing/simulation/random_scene.hpp>
+#include <mixed_palletizing/simulation/recipe.hpp>
 
 namespace mixed_palletizing::experiments {
 namespace {
 
 SceneSource smallScenes(std::uint64_t seed) {
-  simulation::RandomSceneOptions options;
-  options.boxes_max = 2;
-  options.distance_max_m = 1.4;
-  options.min_top_visibility = 0.98;
-  options.scene.camera.width_px = 640;
-  options.scene.camera.height_px = 400;
-  options.scene.noise.depth_stddev_at_1m_m = 0.0002;
-  return {[options, seed](std::uint64_t index) { return simulation::randomScene(options, seed + index); },
+  simulation::Recipe recipe;
+  recipe.groups.front().count = {1, 2};
+  recipe.view.distance_m = {1.3, 1.4};
+  recipe.groups.front().top_visibility = {0.98, 1.0};
+  recipe.scene.camera.width_px = 640;
+  recipe.scene.camera.height_px = 400;
+  recipe.scene.noise.depth_stddev_at_1m_m = 0.0002;
+  return {[recipe, seed](std::uint64_t index) { return simulation::recipeScene(recipe, seed, index); },
           [seed](std::uint64_t index) { return seed + index; }};
 }
 

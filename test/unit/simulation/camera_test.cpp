@@ -80,10 +80,10 @@ TEST(Camera, OwnIntrinsicsAreUsedEverywhere) {
 }
 
 TEST(Camera, RandomScenesKeepTheirPromiseWithOwnIntrinsics) {
-  RandomSceneOptions options;
-  options.scene.camera = subsampled(cameraOfModel("zivid_two_plus"), 4);
-  options.min_top_visibility = 0.9;
-  const Scene scene = randomScene(options, 3);
+  Recipe recipe;
+  recipe.scene.camera = subsampled(cameraOfModel("zivid_two_plus"), 4);
+  recipe.groups.front().top_visibility = {0.9, 1.0};
+  const Scene scene = recipeScene(recipe, 3, 0);
   for (const double visibility : capture(scene, 3).top_visibility) EXPECT_GE(visibility, 0.88);
 }
 

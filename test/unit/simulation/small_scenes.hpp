@@ -4,17 +4,17 @@
 #include <cstdint>
 
 #include <mixed_palletizing/geometry/organized_cloud.hpp>
-#include <mixed_palletizing/simulation/random_scene.hpp>
+#include <mixed_palletizing/simulation/recipe.hpp>
 
 namespace mixed_palletizing::simulation {
 
 /// Random scene without noise, seen in `width` x (5/8 width) pixels.
 inline Scene smallScene(std::uint64_t seed, int width = 320) {
-  RandomSceneOptions options;
-  options.scene.camera.width_px = width;
-  options.scene.camera.height_px = width * 5 / 8;
-  options.boxes_min = 3;
-  return randomScene(options, seed);
+  Recipe recipe;
+  recipe.scene.camera.width_px = width;
+  recipe.scene.camera.height_px = width * 5 / 8;
+  recipe.groups.front().count.min = 3;
+  return recipeScene(recipe, seed, 0);
 }
 
 /// Floor alone, seen from straight above.

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <mixed_palletizing/adapters/cell_simulator_images.hpp>
+#include <mixed_palletizing/adapters/camera_images.hpp>
 #include <mixed_palletizing/adapters/cell_simulator_options.hpp>
 #include <mixed_palletizing/simulation/capture.hpp>
 

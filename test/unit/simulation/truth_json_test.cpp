@@ -1,36 +1,32 @@
-// Truth and mask files say what the capture and the scene hold.
+// The truth says what the capture and the scene hold.
 #include <array>
 #include <cmath>
 
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 
-#include <mixed_palletizing/simulation/truth_files.hpp>
+#include <mixed_palletizing/simulation/truth_json.hpp>
 
 #include "small_scenes.hpp"
-#include "temporary_folder.hpp"
 
 namespace mixed_palletizing::simulation {
 namespace {
 
 using nlohmann::json;
 
-class TruthFiles : public TemporaryFolder {};
-
 Eigen::Vector3d toVector(const json& numbers) {
   const std::array<double, 3> v = numbers;
   return {v[0], v[1], v[2]};
 }
 
-TEST_F(TruthFiles, SayWhatIsThere) {
+TEST(TruthJson, SayWhatIsThere) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Scene scene = smallScene(seed);
     scene.marker.position_m = {0.01, 0.02};
     scene.marker.yaw_rad = 0.4;
     const Capture result = capture(scene, seed);
-    writeTruth(path("t.json"), scene, result, seed);
-    const json truth = json::parse(read(path("t.json")));
+    const json truth = json::parse(truthJson(scene, result, seed));
     EXPECT_EQ(truth.at("seed"), seed);
     for (int row = 0; row < 4; ++row) {
       for (int col = 0; col < 4; ++col) {
@@ -54,6 +50,15 @@ TEST_F(TruthFiles, SayWhatIsThere) {
           worldFromBox(scene.boxes[i]).inverse() *
           (toVector(box.at("center")) + 0.5 * size.x() * Eigen::Vector3d(std::cos(yaw), std::sin(yaw), 0.0));
       EXPECT_NEAR(end.cwiseAbs().maxCoeff(), 0.5 * size.x(), 1e-9);  // the length runs along the yaw
+      const std::array<double, 4> q = box.at("pose").at("orientation");
+      const Eigen::Matrix3d turned = Eigen::Quaterniond(q[3], q[0], q[1], q[2]).toRotationMatrix();
+      EXPECT_TRUE(turned.col(0).isApprox(Eigen::Vector3d(std::cos(yaw), std::sin(yaw), 0.0)));
+      EXPECT_EQ(toVector(box.at("pose").at("position")), toVector(box.at("center")));
+      EXPECT_TRUE((scene.camera.world_from_camera * toVector(box.at("pose_in_camera").at("position")))
+                      .isApprox(toVector(box.at("center"))));
+      EXPECT_EQ(box.at("mask_value"), i + 1);
+      EXPECT_GT(box.at("visibility"), 0.0);
+      EXPECT_LE(box.at("visibility"), 1.0);
       EXPECT_EQ(box.at("visible_pixels"), result.visible_pixels[i]);
       EXPECT_EQ(box.at("top_visibility"), result.top_visibility[i]);
       EXPECT_EQ(box.at("name"), scene.boxes[i].name);
@@ -61,7 +66,7 @@ TEST_F(TruthFiles, SayWhatIsThere) {
   }
 }
 
-TEST_F(TruthFiles, TopsSayHowUnevenTheyAre) {
+TEST(TruthJson, TopsSayHowUnevenTheyAre) {
   Scene scene = smallScene(1);
   SceneBox& box = scene.boxes[0];
   const double nominal = box.base_z_m + box.size_m.z();
@@ -77,7 +82,16 @@ TEST_F(TruthFiles, TopsSayHowUnevenTheyAre) {
   EXPECT_EQ(toVector(truth.at("size")).z(), box.size_m.z());
 }
 
-TEST_F(TruthFiles, BaseFrameIsTheMarkers) {
+TEST(TruthJson, VisibilityIsTheShareOfWhatTheBoxWouldShowAlone) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Scene scene = smallScene(seed);
+    scene.boxes.resize(1);
+    const json alone = json::parse(truthJson(scene, capture(scene, 1), 1)).at("boxes").at(0);
+    EXPECT_NEAR(alone.at("visibility"), 1.0, 0.03) << "seed " << seed;
+  }
+}
+
+TEST(TruthJson, BaseFrameIsTheMarkers) {
   Scene scene = smallScene(1);
   scene.marker.position_m = {0.01, 0.02};
   const Capture result = capture(scene, 1);
@@ -89,29 +103,6 @@ TEST_F(TruthFiles, BaseFrameIsTheMarkers) {
   const json without = json::parse(truthJson(scene, result, 1));
   EXPECT_TRUE(without.at("base_from_camera").is_null());
   EXPECT_EQ(without.at("boxes").at(0).at("name"), "box_1");
-}
-
-TEST_F(TruthFiles, MaskComesBackAsWritten) {
-  const Scene scene = smallScene(2);
-  const Capture result = capture(scene, 2);
-  writeMask(path("m.png"), result);
-  const cv::Mat mask = cv::imread(path("m.png"), cv::IMREAD_UNCHANGED);
-  ASSERT_EQ(mask.type(), CV_16UC1);
-  ASSERT_EQ(mask.cols, scene.camera.width_px);
-  ASSERT_EQ(mask.rows, scene.camera.height_px);
-  for (int row = 0; row < mask.rows; ++row) {
-    for (int col = 0; col < mask.cols; ++col) {
-      ASSERT_EQ(mask.at<std::uint16_t>(row, col), result.mask[pixelIndex(scene, row, col)]);
-    }
-  }
-}
-
-TEST_F(TruthFiles, SayWhenTheyCannotBeWritten) {
-  const Scene scene = smallScene(1, 64);
-  const Capture result = capture(scene, 1);
-  EXPECT_THROW(writeTruth(path("no/t.json"), scene, result, 1), std::runtime_error);
-  EXPECT_THROW(writeMask(path("no/m.png"), result), std::runtime_error);
-  EXPECT_THROW(writeMask(path("m.jpg"), result), std::invalid_argument);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <sensor_msgs/distortion_models.h>
 #include <sensor_msgs/image_encodings.h>
 
-#include <mixed_palletizing/adapters/cell_simulator_images.hpp>
+#include <mixed_palletizing/adapters/camera_images.hpp>
 #include <mixed_palletizing/simulation/pinhole.hpp>
 
 namespace mixed_palletizing::adapters {
@@ -16,7 +16,7 @@ constexpr std::size_t kPixelBytes = 4;  // of both images
 sensor_msgs::ImagePtr emptyImage(const geometry::OrganizedCloud& cloud, const std_msgs::Header& header,
                                  const char* encoding) {
   if (cloud.points.size() != cloud.view().size()) {
-    throw std::invalid_argument("CellSimulator: cloud: " + std::to_string(cloud.points.size()) +
+    throw std::invalid_argument("colorImage, depthImage: cloud: " + std::to_string(cloud.points.size()) +
                                 " points: not " + std::to_string(cloud.width) + " x " +
                                 std::to_string(cloud.height));
   }
