@@ -109,15 +109,17 @@ std::vector<PlacedBox> proposeHidden(const Recipe& recipe, const RecipeGroup& gr
 
 }  // namespace
 
-std::vector<PlacedBox> proposeGroup(const Recipe& recipe, const RecipeGroup& group, const Camera& camera,
-                                    const SceneView& view, Draws& draws) {
-  if (group.arrangement == Arrangement::kTouching) return proposeTouching(recipe, group, view, draws);
-  if (group.arrangement == Arrangement::kHidden) return proposeHidden(recipe, group, camera, view, draws);
+ProposedGroup proposeGroup(const Recipe& recipe, const RecipeGroup& group, const Camera& camera,
+                           const SceneView& view, Draws& draws) {
+  if (group.arrangement == Arrangement::kTouching) return {proposeTouching(recipe, group, view, draws), {}};
+  if (group.arrangement == Arrangement::kHidden) {
+    return {proposeHidden(recipe, group, camera, view, draws), {}};
+  }
   const bool is_cut = group.arrangement == Arrangement::kCut;
   const std::optional<SceneBox> box = drawBox(recipe.boxes, view, is_cut ? kOutsideRatio : 0.0, draws);
   if (!box) return {};
   if (group.arrangement == Arrangement::kStack) return proposeStack(recipe, group, *box, draws);
-  return {{*box, group.top_visibility, !is_cut}};
+  return {{{*box, group.top_visibility, !is_cut}}, {}};
 }
 
 }  // namespace mixed_palletizing::simulation

@@ -17,9 +17,15 @@ struct PlacedBox {
   bool in_image = true;  ///< all of it
 };
 
-/// Boxes of one group somewhere in the view, unpainted; empty when the draw came to nothing. Within the group they
+/// What is placed together.
+struct ProposedGroup {
+  std::vector<PlacedBox> boxes;
+  std::vector<SceneObject> objects;  ///< what they stand on
+};
+
+/// Boxes of one group somewhere in the view, unpainted; none when the draw came to nothing. Within the group they
 /// do not overlap; whether they collide with other boxes or can be seen as asked is not looked at.
-std::vector<PlacedBox> proposeGroup(const Recipe& recipe, const RecipeGroup& group, const Camera& camera,
-                                    const SceneView& view, Draws& draws);
+ProposedGroup proposeGroup(const Recipe& recipe, const RecipeGroup& group, const Camera& camera,
+                           const SceneView& view, Draws& draws);
 
 }  // namespace mixed_palletizing::simulation

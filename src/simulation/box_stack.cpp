@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace mixed_palletizing::simulation {
 namespace {
+
+constexpr std::uint32_t kWood = 0xb59a6e;
 
 /// Borders of the rows (or columns) of a layer: as many as the drawn sizes suggest, of different widths, in order.
 std::vector<double> cuts(double length, const Range& size, Draws& draws) {
@@ -43,16 +46,30 @@ std::vector<SceneBox> drawLayer(const Recipe& recipe, const RecipeGroup& group, 
   return boxes;
 }
 
+/// A closed slab: nothing looks between its boards.
+SceneObject pallet(const SceneBox& place, const Eigen::Vector2d& length, double height) {
+  SceneObject object;
+  object.name = "pallet";
+  object.kind = "cuboid";
+  object.mesh = std::make_shared<TriangleMesh>(cuboidMesh({length.x(), length.y(), height}));
+  object.world_from_object =
+      geometry::poseFromYaw({place.position_m.x(), place.position_m.y(), 0.0}, place.yaw_rad);
+  object.rgb = kWood;
+  return object;
+}
+
 }  // namespace
 
-std::vector<PlacedBox> proposeStack(const Recipe& recipe, const RecipeGroup& group, const SceneBox& place,
-                                    Draws& draws) {
+ProposedGroup proposeStack(const Recipe& recipe, const RecipeGroup& group, const SceneBox& place,
+                           Draws& draws) {
   const double length_x = draws.in(group.length_x_m);
   const Eigen::Vector2d length(length_x, draws.in(group.length_y_m));
   const int layers = draws.in(group.layers);
   const double fill = draws.in(group.fill_ratio);
-  std::vector<PlacedBox> stack;
-  double base_z = 0.0;
+  ProposedGroup stack;
+  const double pallet_height = draws.in(group.pallet_height_m);
+  if (pallet_height > 0.0) stack.objects.push_back(pallet(place, length, pallet_height));
+  double base_z = pallet_height;
   for (int layer = 0; layer < layers; ++layer) {
     const bool is_top = layer + 1 == layers;
     const std::vector<SceneBox> boxes = drawLayer(recipe, group, length, base_z, draws);
@@ -61,7 +78,7 @@ std::vector<PlacedBox> proposeStack(const Recipe& recipe, const RecipeGroup& gro
       if (is_top) box.size_m.z() += draws.in(group.height_step_m);
       box.position_m = place.position_m + Eigen::Rotation2Dd(place.yaw_rad) * box.position_m;
       box.yaw_rad = place.yaw_rad;
-      stack.push_back({box, group.top_visibility});
+      stack.boxes.push_back({box, group.top_visibility});
     }
     base_z += boxes.front().size_m.z();
   }

@@ -1,8 +1,6 @@
 // Layers of boxes as on a pallet.
 #pragma once
 
-#include <vector>
-
 #include <mixed_palletizing/simulation/recipe.hpp>
 
 #include "box_arrangements.hpp"
@@ -10,9 +8,9 @@
 
 namespace mixed_palletizing::simulation {
 
-/// A stack at the place of a box: in each layer boxes of one height in rows and columns; only some of the places of
+/// A stack at the place of a box, on a pallet if the group has one: in each layer boxes of one height in rows and columns; only some of the places of
 /// the top layer are taken, by boxes of several heights.
-std::vector<PlacedBox> proposeStack(const Recipe& recipe, const RecipeGroup& group, const SceneBox& place,
-                                    Draws& draws);
+ProposedGroup proposeStack(const Recipe& recipe, const RecipeGroup& group, const SceneBox& place,
+                           Draws& draws);
 
 }  // namespace mixed_palletizing::simulation

@@ -144,6 +144,7 @@ void readGroup(YamlSection section, RecipeGroup& group) {
     read(section, "length_x_m", group.length_x_m);
     read(section, "length_y_m", group.length_y_m);
     read(section, "layers", group.layers);
+    read(section, "pallet_height_m", group.pallet_height_m);
     read(section, "fill_ratio", group.fill_ratio);
   }
   section.finish();

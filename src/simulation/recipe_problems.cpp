@@ -118,6 +118,7 @@ void checkGroup(const RecipeGroup& group, const std::string& key, RecipeRules& r
   rules.sizes(key + ".length_x_m", group.length_x_m);
   rules.sizes(key + ".length_y_m", group.length_y_m);
   rules.counts(key + ".layers", group.layers, 1);
+  rules.range(key + ".pallet_height_m", group.pallet_height_m, 0.0, kMaxLength);
   rules.range(key + ".fill_ratio", group.fill_ratio, 0.0, 1.0);
 }
 

@@ -23,6 +23,7 @@ class RecipeScene {
  public:
   RecipeScene(const Recipe& recipe, Draws& draws) : recipe_(recipe), draws_(draws), scene_(recipe.scene) {
     scene_.boxes.clear();
+    scene_.objects.clear();
   }
 
   /// False when the draw came to nothing.
@@ -97,13 +98,16 @@ bool RecipeScene::drawGroup(const RecipeGroup& group) {
   const SceneView view(scene_.camera, recipe_.view.border_px_ratio);
   const std::size_t before = scene_.boxes.size();
   for (int attempt = 0; attempt < kGroupAttempts; ++attempt) {
-    const std::vector<PlacedBox> proposed = proposeGroup(recipe_, group, scene_.camera, view, draws_);
-    if (!accepts(view, proposed)) continue;
-    for (const PlacedBox& placed : proposed) {
+    const ProposedGroup proposed = proposeGroup(recipe_, group, scene_.camera, view, draws_);
+    if (!accepts(view, proposed.boxes)) continue;
+    for (const PlacedBox& placed : proposed.boxes) {
       scene_.boxes.push_back(placed.box);
       visibility_.push_back(placed.top_visibility);
     }
-    if (seenAsAsked()) return true;
+    if (seenAsAsked()) {
+      scene_.objects.insert(scene_.objects.end(), proposed.objects.begin(), proposed.objects.end());
+      return true;
+    }
     scene_.boxes.resize(before);
     visibility_.resize(before);
   }

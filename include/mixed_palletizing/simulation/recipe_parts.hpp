@@ -95,7 +95,8 @@ struct RecipeGroup {
   Range length_x_m{0.4, 0.6};     ///< stack: footprint
   Range length_y_m{0.3, 0.4};
   CountRange layers{2, 4};
-  Range fill_ratio{0.3, 0.9};  ///< stack: share of the top layer's places that are taken
+  Range pallet_height_m{0.0, 0.0};  ///< stack: of a slab with its footprint below it; 0: none
+  Range fill_ratio{0.3, 0.9};       ///< stack: share of the top layer's places that are taken
 };
 
 }  // namespace mixed_palletizing::simulation

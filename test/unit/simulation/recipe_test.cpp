@@ -167,8 +167,12 @@ TEST(Recipe, StacksStandOnWhatIsBelow) {
   const Recipe recipe = loadRecipe(shipped("stacked"));
   for (std::uint64_t index = 0; index < 5; ++index) {
     const Scene scene = recipeScene(recipe, 25, index);
+    ASSERT_EQ(scene.objects.size(), 1u);
+    const double deck = extentOf(*scene.objects[0].mesh).high.z();
+    EXPECT_TRUE(recipe.groups.front().pallet_height_m.contains(deck)) << deck;
+    EXPECT_TRUE(warnings(scene).empty()) << index;
     for (const SceneBox& box : scene.boxes) {
-      const bool supported = box.base_z_m == 0.0 ||
+      const bool supported = std::abs(box.base_z_m - deck) < 1e-9 ||
                              std::any_of(scene.boxes.begin(), scene.boxes.end(), [&](const SceneBox& below) {
                                return std::abs(below.base_z_m + below.size_m.z() - box.base_z_m) < 1e-9 &&
                                       geometry::distance(footprint(box), footprint(below)) == 0.0;
