@@ -65,7 +65,7 @@ sensor_msgs::CameraInfoPtr cameraInfo(const simulation::Camera& camera, const st
   info->K = {pinhole.fx_px, 0.0, pinhole.cx_px, 0.0, pinhole.fy_px, pinhole.cy_px, 0.0, 0.0, 1.0};
   info->R = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
   info->P = {pinhole.fx_px, 0.0, pinhole.cx_px, 0.0, 0.0, pinhole.fy_px,
-             pinhole.cy_px,    0.0, 0.0,           0.0, 1.0, 0.0};
+             pinhole.cy_px, 0.0, 0.0,           0.0, 1.0, 0.0};
   return info;
 }
 

@@ -91,15 +91,16 @@ std::optional<ViewFromAbove> viewFromAbove(const cv::Mat& gray, const PlaneMap& 
   std::vector<cv::Point2f> from;
   std::vector<cv::Point2f> to;
   const double metres_per_px = 2.0 * half / kViewSide;
-  for (const auto& corner : {Eigen::Vector2d(-0.2, -0.2), Eigen::Vector2d(0.2, -0.2), Eigen::Vector2d(0.2, 0.2),
-                             Eigen::Vector2d(-0.2, 0.2)}) {
+  for (const auto& corner : {Eigen::Vector2d(-0.2, -0.2), Eigen::Vector2d(0.2, -0.2),
+                             Eigen::Vector2d(0.2, 0.2), Eigen::Vector2d(-0.2, 0.2)}) {
     // A small square around the middle is in front of the camera at every tilt.
     const Eigen::Vector2d point = *middle + corner * height;
     const auto pixel = floor.pixel(point);
     if (!pixel) return std::nullopt;
     const Eigen::Vector2d at = (point - *middle) / metres_per_px;
     // Rows run against the plane's y axis: the picture shows what the camera sees, not its mirror image.
-    from.emplace_back(static_cast<float>(0.5 * kViewSide + at.x()), static_cast<float>(0.5 * kViewSide - at.y()));
+    from.emplace_back(static_cast<float>(0.5 * kViewSide + at.x()),
+                      static_cast<float>(0.5 * kViewSide - at.y()));
     to.emplace_back(static_cast<float>(pixel->x()), static_cast<float>(pixel->y()));
   }
   ViewFromAbove view;
@@ -140,17 +141,20 @@ std::vector<int> wantedIds(const MarkerOptions& options) {
   return ids;
 }
 
-std::vector<PixelMarker> detectMarkers(const cv::Mat& gray, const PlaneMap& floor, const MarkerOptions& options) {
+std::vector<PixelMarker> detectMarkers(const cv::Mat& gray, const PlaneMap& floor,
+                                       const MarkerOptions& options) {
   const auto number = dictionaryNumber(options.dictionary);
   if (!number) {
-    throw std::invalid_argument("detectMarkers: dictionary: '" + options.dictionary + "' is unknown to OpenCV");
+    throw std::invalid_argument("detectMarkers: dictionary: '" + options.dictionary +
+                                "' is unknown to OpenCV");
   }
   const Dictionary dictionary = cv::aruco::getPredefinedDictionary(*number);
   const std::vector<int> wanted = wantedIds(options);
   const Back same = [](const Eigen::Vector2d& p) { return p; };
   std::vector<PixelMarker> markers;
   searchBothInks(gray, dictionary, options.inverted, same, markers);
-  if (!allFound(markers, wanted)) searchBothInks(evenContrast(gray), dictionary, options.inverted, same, markers);
+  if (!allFound(markers, wanted))
+    searchBothInks(evenContrast(gray), dictionary, options.inverted, same, markers);
   if (!allFound(markers, wanted)) searchEnlarged(gray, dictionary, options.inverted, markers);
   if (!allFound(markers, wanted)) searchFromAbove(gray, floor, dictionary, options.inverted, markers);
   return markers;

@@ -29,6 +29,7 @@ std::vector<int> wantedIds(const MarkerOptions& options);
 /// is missing the image is searched again: with its contrast evened out, enlarged, and seen from straight above the
 /// floor, where a marker is a square however flat the camera looks at it. Throws std::invalid_argument for an unknown
 /// dictionary.
-std::vector<PixelMarker> detectMarkers(const cv::Mat& gray, const PlaneMap& floor, const MarkerOptions& options);
+std::vector<PixelMarker> detectMarkers(const cv::Mat& gray, const PlaneMap& floor,
+                                       const MarkerOptions& options);
 
 }  // namespace mixed_palletizing::detection

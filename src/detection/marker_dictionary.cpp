@@ -62,8 +62,8 @@ std::optional<int> dictionaryNumber(const std::string& name) {
 std::vector<bool> markerCells(const std::string& dictionary, int id) {
   const Dictionary* known = find(dictionary);
   if (known == nullptr || id < 0 || id >= known->size) {
-    throw std::invalid_argument("markerCells: no marker " + std::to_string(id) + " in dictionary '" + dictionary +
-                                "'");
+    throw std::invalid_argument("markerCells: no marker " + std::to_string(id) + " in dictionary '" +
+                                dictionary + "'");
   }
   const auto markers = cv::aruco::getPredefinedDictionary(known->number);
   const int cells = markers->markerSize + 2;

@@ -11,13 +11,14 @@
 namespace mixed_palletizing::detection {
 namespace {
 
-constexpr double kSquareTolerance = 0.12;  // of the side: OpenCV's corners of a small marker, a floor not quite even
-constexpr int kRounds = 4;                 // of looking for the steps
-constexpr int kReweighings = 6;            // within a round
-constexpr double kEndShare = 0.2;          // of an edge: near its ends other edges disturb
-constexpr double kReachCells = 0.35;       // how far across an edge the step is looked for
-constexpr double kLeastReach = 1.0;        // [px]
-constexpr double kLargestReach = 8.0;      // [px]
+constexpr double kSquareTolerance =
+    0.12;                          // of the side: OpenCV's corners of a small marker, a floor not quite even
+constexpr int kRounds = 4;         // of looking for the steps
+constexpr int kReweighings = 6;    // within a round
+constexpr double kEndShare = 0.2;  // of an edge: near its ends other edges disturb
+constexpr double kReachCells = 0.35;   // how far across an edge the step is looked for
+constexpr double kLeastReach = 1.0;    // [px]
+constexpr double kLargestReach = 8.0;  // [px]
 constexpr std::size_t kMinPlaces = 24;
 constexpr double kTukey = 4.685;
 constexpr double kNormalMedian = 0.6745;
@@ -80,18 +81,21 @@ double leastRise(const cv::Mat& gray, const PlaneMap& map, const PlaneMarker& ma
       const auto pixel = map.pixel(marker.center + turned(marker.yaw_rad, marker.side_m * at));
       if (!pixel) continue;
       const cv::Point p(static_cast<int>(std::lround(pixel->x())), static_cast<int>(std::lround(pixel->y())));
-      if (p.x >= 0 && p.y >= 0 && p.x < gray.cols && p.y < gray.rows) values.push_back(gray.at<std::uint8_t>(p));
+      if (p.x >= 0 && p.y >= 0 && p.x < gray.cols && p.y < gray.rows)
+        values.push_back(gray.at<std::uint8_t>(p));
     }
   }
   if (values.empty()) return 255.0;
   std::sort(values.begin(), values.end());
-  const auto at = [&](double share) { return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))]; };
+  const auto at = [&](double share) {
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  };
   return 0.5 * (at(0.9) - at(0.1));
 }
 
 /// Adds the places of one edge; `pixel_m` collects the size of a pixel on the plane.
-void collect(const cv::Mat& gray, const PlaneMap& map, const PlaneMarker& marker, const CellEdge& edge, int cells,
-             double least_rise, double sign, std::vector<Place>& places, double& pixel_m) {
+void collect(const cv::Mat& gray, const PlaneMap& map, const PlaneMarker& marker, const CellEdge& edge,
+             int cells, double least_rise, double sign, std::vector<Place>& places, double& pixel_m) {
   const auto onPlane = [&](const Eigen::Vector2d& p) {
     return Eigen::Vector2d(marker.center + turned(marker.yaw_rad, marker.side_m * p));
   };
@@ -114,10 +118,11 @@ void collect(const cv::Mat& gray, const PlaneMap& map, const PlaneMarker& marker
     if (!found) continue;
     const Eigen::Vector2d q = turned(-marker.yaw_rad, *found - marker.center) / marker.side_m;
     const Eigen::Vector2d arm = marker.side_m * p;
-    places.push_back({marker.side_m * (q - p).dot(edge.normal),
-                      Eigen::Vector4d(edge.normal.x(), edge.normal.y(),
-                                      edge.normal.dot(Eigen::Vector2d(-arm.y(), arm.x())), edge.normal.dot(arm)),
-                      1.0});
+    places.push_back(
+        {marker.side_m * (q - p).dot(edge.normal),
+         Eigen::Vector4d(edge.normal.x(), edge.normal.y(),
+                         edge.normal.dot(Eigen::Vector2d(-arm.y(), arm.x())), edge.normal.dot(arm)),
+         1.0});
     pixel_m = marker.side_m / cells / cell_px;
   }
 }
@@ -134,7 +139,8 @@ Eigen::Vector4d solve(std::vector<Place>& places, double smallest_scale_m) {
       right += p.weight * p.residual_m * p.gain;
     }
     x = normal.ldlt().solve(right);
-    for (std::size_t k = 0; k < places.size(); ++k) sizes[k] = std::abs(places[k].residual_m - places[k].gain.dot(x));
+    for (std::size_t k = 0; k < places.size(); ++k)
+      sizes[k] = std::abs(places[k].residual_m - places[k].gain.dot(x));
     std::vector<double> sorted = sizes;
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
     std::nth_element(sorted.begin(), middle, sorted.end());

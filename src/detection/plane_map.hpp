@@ -16,7 +16,9 @@ namespace mixed_palletizing::detection {
 struct PlaneAxes {
   explicit PlaneAxes(const geometry::Plane& plane_in_camera);
 
-  Eigen::Vector3d inCamera(const Eigen::Vector2d& point) const { return origin + x * point.x() + y * point.y(); }
+  Eigen::Vector3d inCamera(const Eigen::Vector2d& point) const {
+    return origin + x * point.x() + y * point.y();
+  }
   Eigen::Vector2d onPlane(const Eigen::Vector3d& p) const { return {x.dot(p - origin), y.dot(p - origin)}; }
 
   geometry::Plane plane;
@@ -34,7 +36,9 @@ struct PlaneMap {
   std::optional<Eigen::Vector2d> point(const Eigen::Vector2d& pixel) const;
 
   /// Pixel where a point of the plane is seen.
-  std::optional<Eigen::Vector2d> pixel(const Eigen::Vector2d& point) const { return rays.pixel(axes.inCamera(point)); }
+  std::optional<Eigen::Vector2d> pixel(const Eigen::Vector2d& point) const {
+    return rays.pixel(axes.inCamera(point));
+  }
 };
 
 }  // namespace mixed_palletizing::detection
