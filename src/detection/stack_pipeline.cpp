@@ -112,7 +112,7 @@ void StackPipeline::examineSegment(const BaseCloud& cloud, const SensorNoise& no
                                    Detections& result) {
   const TopPicture picture(cloud, camera_from_base_, raster_, segments_, number,
                            sideDirection(raster_, segments_, number), step_m_);
-  for (const TopPart& part : splitTop(picture, {options_.box.min_side_m, options_.box.max_side_m})) {
+  for (const TopPart& part : splitTop(picture, {options_.box.min_side_m})) {
     const PartFit fit = fitPart(picture, part);
     const Eigen::Vector2d size = fit.rectangle.lengthFirst().size;
     const std::string measured = text("the top is %.3f x %.3f m", size.x(), size.y());

@@ -20,7 +20,6 @@ using TopPart = std::array<PartSide, 4>;
 
 struct SplitLimits {
   double min_side_m = 0.04;
-  double max_side_m = 1.5;
   double min_evidence = 0.55;  ///< share of a cut's length that shows a seam
 };
 
