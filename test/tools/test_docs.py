@@ -46,7 +46,7 @@ class Docs(unittest.TestCase):
         self.assertGreater(len(quoted), 20)
         for words in quoted:
             if len(words) >= SHORTEST:
-                self.assertIn(words.strip(), code, words)
+                self.assertTrue(words.strip() in code, words)
 
     def test_programs_named_after_rosrun_exist(self):
         built = '\n'.join(path.read_text(encoding='utf-8')
