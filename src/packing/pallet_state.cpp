@@ -50,11 +50,13 @@ std::string PalletState::whyNot(const Placement& placement) const {
 }
 
 bool PalletState::accepts(const Placement& placement) const {
-  if (!full_support_ || kind_ == SpaceKind::kEmpty) return whyNot(placement).empty();
-  const bool held = isBox(placement) && std::any_of(spaces_.begin(), spaces_.end(), [&](const Space& space) {
-                      return holds(space, placement);
-                    });
-  return held && (!loads_.active() || loads_.whyNot(placements_, placement).empty());
+  const bool holds_all = full_support_ && kind_ == SpaceKind::kSupported;
+  const bool stands =
+      !holds_all ? keepsRules(rules_, placements_, placement)
+                 : isBox(placement) && std::any_of(spaces_.begin(), spaces_.end(), [&](const Space& space) {
+                     return holds(space, placement);
+                   });
+  return stands && (!loads_.active() || loads_.whyNot(placements_, placement).empty());
 }
 
 void PalletState::place(const Placement& placement) {

@@ -74,17 +74,28 @@ bool insideHull(const Point& center, const std::vector<Point>& points) {
   return !points.empty();
 }
 
-std::string brokenSupport(const PalletRules& rules, const std::vector<Placement>& placed,
-                          const Placement& p) {
+struct Support {
+  std::int64_t area = 0;  ///< of the base [mm^2]
+  std::int64_t supported = 0;
+  bool center_over = true;  ///< the centre of the base lies over the support
+
+  double ratio() const { return static_cast<double>(supported) / static_cast<double>(area); }
+  bool reaches(double least) const { return ratio() >= least * (1.0 - kRatioTolerance); }
+};
+
+Support supportOf(const PalletRules& rules, const std::vector<Placement>& placed, const Placement& p) {
   const Rect footprint = footprintOf(p);
   const Rect deck{0, 0, rules.size.x, rules.size.y};
-  if (p.origin.z == 0 && deck.contains(footprint)) return {};
-  std::int64_t supported = 0;
+  Support support;
+  support.area = static_cast<std::int64_t>(p.size.x) * p.size.y;
+  support.supported = support.area;
+  if (p.origin.z == 0 && deck.contains(footprint)) return support;
+  support.supported = 0;
   std::vector<Point> contact;  // twice the coordinates, so that the centre of the base is exact
   const auto rest = [&](const Rect& top) {
     const Rect r = intersection(footprint, top);
     if (r.empty()) return;
-    supported += static_cast<std::int64_t>(r.x1 - r.x0) * (r.y1 - r.y0);
+    support.supported += static_cast<std::int64_t>(r.x1 - r.x0) * (r.y1 - r.y0);
     for (const int x : {r.x0, r.x1}) {
       for (const int y : {r.y0, r.y1}) contact.push_back({2LL * x, 2LL * y});
     }
@@ -93,16 +104,19 @@ std::string brokenSupport(const PalletRules& rules, const std::vector<Placement>
   for (const Placement& other : placed) {
     if (p.origin.z > 0 && other.origin.z + other.size.z == p.origin.z) rest(footprintOf(other));
   }
-  const std::int64_t base = static_cast<std::int64_t>(p.size.x) * p.size.y;
-  const double ratio = static_cast<double>(supported) / static_cast<double>(base);
-  if (ratio < rules.min_support_ratio * (1.0 - kRatioTolerance)) {
-    return "supported share of the base at " + text(p.origin) + " is " + std::to_string(ratio) +
+  const Point center{2LL * p.origin.x + p.size.x, 2LL * p.origin.y + p.size.y};
+  support.center_over = support.supported == support.area || insideHull(center, contact);
+  return support;
+}
+
+std::string brokenSupport(const PalletRules& rules, const std::vector<Placement>& placed,
+                          const Placement& p) {
+  const Support support = supportOf(rules, placed, p);
+  if (!support.reaches(rules.min_support_ratio)) {
+    return "supported share of the base at " + text(p.origin) + " is " + std::to_string(support.ratio()) +
            ", less than " + std::to_string(rules.min_support_ratio);
   }
-  const Point center{2LL * p.origin.x + p.size.x, 2LL * p.origin.y + p.size.y};
-  if (supported < base && !insideHull(center, contact)) {
-    return "centre of the base at " + text(p.origin) + " is not over its support";
-  }
+  if (!support.center_over) return "centre of the base at " + text(p.origin) + " is not over its support";
   return {};
 }
 
@@ -114,6 +128,17 @@ std::string brokenRule(const PalletRules& rules, const std::vector<Placement>& p
   if (broken.empty()) broken = brokenClearance(rules, placed, placement);
   if (broken.empty()) broken = brokenSupport(rules, placed, placement);
   return broken;
+}
+
+bool keepsRules(const PalletRules& rules, const std::vector<Placement>& placed, const Placement& placement) {
+  if (!brokenBounds(rules, placement).empty()) return false;
+  const Rect shaft = widened(footprintOf(placement), rules.gap);
+  for (const Placement& other : placed) {
+    if (other.origin.z + other.size.z > placement.origin.z && footprintOf(other).overlaps(shaft))
+      return false;
+  }
+  const Support support = supportOf(rules, placed, placement);
+  return support.reaches(rules.min_support_ratio) && support.center_over;
 }
 
 }  // namespace mixed_palletizing::packing

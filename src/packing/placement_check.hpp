@@ -12,4 +12,7 @@ namespace mixed_palletizing::packing {
 std::string brokenRule(const PalletRules& rules, const std::vector<Placement>& placed,
                        const Placement& placement);
 
+/// Whether it breaks none, without the words.
+bool keepsRules(const PalletRules& rules, const std::vector<Placement>& placed, const Placement& placement);
+
 }  // namespace mixed_palletizing::packing

@@ -73,9 +73,9 @@ void sortUnique(std::vector<int>& values) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-/// Positions of one size in one space whose base may not carry it everywhere.
-void addPartlySupported(const PalletState& state, const Space& space, const Vec3& size, int type,
-                        std::vector<Placement>& placements) {
+/// Positions to be judged of one size in one space where not every place keeps the rules.
+void addTries(const PalletState& state, const Space& space, const Vec3& size, int type,
+              std::vector<Placement>& tries) {
   if (!fits(size, space)) return;
   std::vector<int> xs{space.min.x};
   std::vector<int> ys{space.min.y};
@@ -93,42 +93,54 @@ void addPartlySupported(const PalletState& state, const Space& space, const Vec3
   sortUnique(xs);
   sortUnique(ys);
   for (const int y : ys) {
-    for (const int x : xs) {
-      const Placement placement{type, {x, y, space.min.z}, size};
-      if (state.accepts(placement)) placements.push_back(placement);
-    }
+    for (const int x : xs) tries.push_back({type, {x, y, space.min.z}, size});
   }
 }
 
-std::vector<Placement> allPlacements(const PalletState& state, const std::vector<Vec3>& sizes, int type) {
-  std::vector<Placement> placements;
-  if (!state.carriesWeightOf(type)) return placements;
+/// At the corners of the spaces; without fullSupport() some may break a rule.
+std::vector<Placement> allTries(const PalletState& state, const std::vector<Vec3>& sizes, int type) {
+  std::vector<Placement> tries;
+  if (!state.carriesWeightOf(type)) return tries;
   for (const Space& space : state.spaces()) {
     for (const Vec3& size : sizes) {
       if (!state.fullSupport()) {
-        addPartlySupported(state, space, size, type, placements);
+        addTries(state, space, size, type, tries);
       } else if (fits(size, space)) {
-        placements.push_back({type, space.min, size});
+        tries.push_back({type, space.min, size});
       }
     }
   }
+  return tries;
+}
+
+std::vector<Placement> allPlacements(const PalletState& state, const std::vector<Vec3>& sizes, int type) {
+  std::vector<Placement> placements = allTries(state, sizes, type);
+  if (state.fullSupport()) return placements;
+  const auto refused = [&](const Placement& p) { return !state.accepts(p); };
+  placements.erase(std::remove_if(placements.begin(), placements.end(), refused), placements.end());
   return placements;
 }
 
-std::optional<Placement> bestOf(const PalletState& state, const std::vector<Placement>& placements,
-                                PlacementRule rule) {
-  if (rule == PlacementRule::kContact || rule == PlacementRule::kBestFit) {
-    const Placement* best =
-        rule == PlacementRule::kContact ? mostTouching(state, placements) : bestFitting(state, placements);
-    return best == nullptr ? std::nullopt : std::make_optional(*best);
-  }
+/// By kContact or kBestFit.
+std::optional<Placement> bestScored(const PalletState& state, const std::vector<Placement>& placements,
+                                    PlacementRule rule) {
+  const Placement* best =
+      rule == PlacementRule::kContact ? mostTouching(state, placements) : bestFitting(state, placements);
+  return best == nullptr ? std::nullopt : std::make_optional(*best);
+}
+
+/// By kDblf or kDistance, where places must be judged: few of them, in the order of the rule.
+std::optional<Placement> firstAccepted(const PalletState& state, std::vector<Placement> tries,
+                                       PlacementRule rule) {
   const auto before = [rule](const Placement& a, const Placement& b) {
     const std::int64_t distance_a = rule == PlacementRule::kDistance ? squaredDistance(a.origin) : 0;
     const std::int64_t distance_b = rule == PlacementRule::kDistance ? squaredDistance(b.origin) : 0;
     return std::make_tuple(distance_a, dblfKey(a.origin)) < std::make_tuple(distance_b, dblfKey(b.origin));
   };
-  const auto best = std::min_element(placements.begin(), placements.end(), before);
-  return best == placements.end() ? std::nullopt : std::make_optional(*best);
+  std::stable_sort(tries.begin(), tries.end(), before);
+  const auto first =
+      std::find_if(tries.begin(), tries.end(), [&](const Placement& p) { return state.accepts(p); });
+  return first == tries.end() ? std::nullopt : std::make_optional(*first);
 }
 
 void checkItem(const std::vector<Vec3>& sizes, int type, const char* function) {
@@ -162,11 +174,14 @@ std::optional<Placement> findPlacement(const PalletState& state, const ItemType&
 std::optional<Placement> findPlacement(const PalletState& state, const std::vector<Vec3>& sizes,
                                        int type_index, PlacementRule rule) {
   checkItem(sizes, type_index, "findPlacement");
-  if (!state.fullSupport()) return bestOf(state, allPlacements(state, sizes, type_index), rule);
   if (!state.carriesWeightOf(type_index)) return std::nullopt;
   if (rule == PlacementRule::kContact || rule == PlacementRule::kBestFit) {
-    return bestOf(state, allCorners(state, sizes, type_index), rule);
+    const bool anywhere = state.fullSupport();
+    return bestScored(
+        state, anywhere ? allCorners(state, sizes, type_index) : allPlacements(state, sizes, type_index),
+        rule);
   }
+  if (!state.fullSupport()) return firstAccepted(state, allTries(state, sizes, type_index), rule);
   return rule == PlacementRule::kDblf ? deepest(state.spaces(), sizes, type_index)
                                       : nearest(state.spaces(), sizes, type_index);
 }
