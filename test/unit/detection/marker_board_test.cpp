@@ -16,11 +16,11 @@ using simulation::Scene;
 
 /// The scene's marker and nothing else, seen from a place drawn from the seed.
 Scene emptyScene(std::uint64_t seed) {
-  auto options = test::sceneOptions(0.0001, 960, 600);
-  options.boxes_min = options.boxes_max = 0;
-  options.tilt_max_rad = 0.6;
-  options.scene.marker.side_m = 0.12;
-  return simulation::randomScene(options, seed);
+  auto recipe = test::sceneRecipe(0.0001, 960, 600);
+  recipe.groups.clear();
+  recipe.view.tilt_rad.max = 0.6;
+  recipe.scene.marker.side_m = 0.12;
+  return simulation::recipeScene(recipe, seed, 0);
 }
 
 /// Paints a marker, white on black, onto the floor of a cloud.

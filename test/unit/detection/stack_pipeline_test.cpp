@@ -15,7 +15,7 @@ using simulation::Scene;
 
 /// A pallet of 0.1 m with two layers: five boxes below, two on top of them, seen from `eye`.
 Scene stackScene(const Eigen::Vector3d& eye, double noise_at_1m_m) {
-  Scene scene = test::sceneOptions(noise_at_1m_m, 1200, 750).scene;
+  Scene scene = test::sceneRecipe(noise_at_1m_m, 1200, 750).scene;
   scene.has_marker = false;
   simulation::SceneBox pallet;
   pallet.size_m = {0.9, 0.7, 0.1};
@@ -69,7 +69,7 @@ TEST(StackPipeline, findsEveryFullyVisibleTopAtItsHeight) {
 
 TEST(StackPipeline, saysWhenNoSideOfABoxIsSeen) {
   // Nine equal boxes with small gaps: straight above the middle one only tops are seen.
-  Scene scene = test::sceneOptions(0.0002, 1200, 750).scene;
+  Scene scene = test::sceneRecipe(0.0002, 1200, 750).scene;
   scene.has_marker = false;
   for (int i = 0; i < 9; ++i) {
     simulation::SceneBox box;
@@ -111,7 +111,7 @@ TEST(StackPipeline, ignoresWhatLiesOutsideOfTheRegion) {
 }
 
 TEST(StackPipeline, anEmptyPalletHoldsNothing) {
-  Scene scene = test::sceneOptions(0.0003, 640, 400).scene;
+  Scene scene = test::sceneRecipe(0.0003, 640, 400).scene;
   scene.has_marker = false;
   scene.camera.world_from_camera = simulation::lookAt({0.1, 0.0, 1.5}, {0.0, 0.0, 0.0});
   const auto capture = simulation::capture(scene, 74);
