@@ -28,8 +28,13 @@ class BaseCloud {
   /// Third row of base_from_camera: height above the floor = row . p_camera + camera().z().
   Eigen::Vector3f upInCamera() const { return rotation_.row(2); }
 
+  const Eigen::Matrix3f& rotation() const { return rotation_; }
+
+  /// A point of the camera frame in the base frame [m].
+  Eigen::Vector3f toBase(const Eigen::Vector3f& point) const { return rotation_ * point + camera_; }
+
   /// Point in the base frame [m]; not finite where the camera has no data.
-  Eigen::Vector3f point(int row, int col) const { return rotation_ * view_.point(row, col) + camera_; }
+  Eigen::Vector3f point(int row, int col) const { return toBase(view_.point(row, col)); }
 
   /// True when the camera measured something in front of it here.
   bool valid(int row, int col) const {

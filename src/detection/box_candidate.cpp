@@ -79,11 +79,9 @@ std::variant<RectangleFit, Refusal> BoxCandidate::findRectangle(const Context& c
   const double min_edge = std::max({options_.top.min_edge_length_m, options_.noise.sigmas * height_.stddev_m,
                                     2.0 * options_.noise.spacings * scale.spacing_m});
   const EdgeRectangle start = rectangleFromEdges(hull, findEdges(hull, min_edge, options_.top));
-  const Eigen::Vector2d camera = context.cloud.camera().head<2>();
-  const RectangleFit fit = options_.method == Method::kBest ? fitRectangle(outline_, start, camera, scale)
-                                                            : keepRectangle(start, scale);
+  const RectangleFit fit = keepRectangle(start, scale);
   const double tolerance = std::max(0.003, options_.noise.sigmas * height_.stddev_m);
-  match_ = matchOutline(outline_, fit.rectangle, camera, tolerance, options_.noise.spacings);
+  match_ = matchOutline(outline_, fit.rectangle, tolerance, options_.noise.spacings);
   clock.done("rectangle");
   return fit;
 }
@@ -106,12 +104,6 @@ std::optional<Refusal> BoxCandidate::judge(const Context& context, const Rectang
     return Refusal{RejectReason::kNotRectangular,
                    size + text(", its hull fills %.2f of that, less than %.2f", rectangularity,
                                options_.box.min_rectangularity)};
-  }
-  const bool hidden = match_.occluded_ratio > kSeenShare || match_.border_ratio > kSeenShare;
-  if (options_.method == Method::kBest && fit.foundSides() < 4 && !hidden) {
-    return Refusal{RejectReason::kNotRectangular,
-                   size + text(", only %d sides have a straight outline, and nothing hides the others",
-                               fit.foundSides())};
   }
   if (match_.on_sides_ratio < options_.box.min_outline_ratio) {
     return Refusal{RejectReason::kNotRectangular,

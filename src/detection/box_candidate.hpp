@@ -24,7 +24,8 @@ namespace mixed_palletizing::detection {
 struct FoundBox {
   DetectedBox box;
   geometry::Rectangle footprint;
-  double top_m = 0.0;  ///< upper end of the top's band
+  double top_m = 0.0;     ///< upper end of the top's band
+  double bottom_m = 0.0;  ///< what the box stands on
 };
 
 /// Why it is no box.

@@ -9,10 +9,8 @@
 namespace mixed_palletizing::detection {
 
 OutlineMatch matchOutline(const std::vector<OutlineSample>& samples, const geometry::Rectangle& rectangle,
-                          const Eigen::Vector2d& camera, double tolerance_m, double tolerance_px) {
+                          double tolerance_m, double tolerance_px) {
   OutlineMatch match;
-  std::array<bool, 4> in_view{};
-  for (std::size_t i = 0; i < 4; ++i) in_view[i] = faceInView(rectangle, i, camera);
   const Axes axes(rectangle);
   double free = 0.0;
   for (const OutlineSample& sample : samples) {
@@ -22,7 +20,7 @@ OutlineMatch matchOutline(const std::vector<OutlineSample>& samples, const geome
     free += 1.0;
     const double tolerance = std::max(tolerance_m, tolerance_px * sample.pixel_m);
     for (std::size_t i = 0; i < 4; ++i) {
-      const Eigen::Vector2d local = axes.local(placeOf(sample, in_view[i]));
+      const Eigen::Vector2d local = axes.local(sample.measured);
       if (std::abs(alongOf(i).dot(local)) > halfAlong(rectangle, i) + tolerance) continue;
       if (std::abs(kOutward[i].dot(local) - halfAcross(rectangle, i)) > tolerance) continue;
       match.on_sides_ratio += 1.0;

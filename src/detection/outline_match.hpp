@@ -20,6 +20,6 @@ struct OutlineMatch {
 
 /// A sample lies on a side within the tolerance, at least that many of its pixels.
 OutlineMatch matchOutline(const std::vector<OutlineSample>& samples, const geometry::Rectangle& rectangle,
-                          const Eigen::Vector2d& camera, double tolerance_m, double tolerance_px);
+                          double tolerance_m, double tolerance_px);
 
 }  // namespace mixed_palletizing::detection

@@ -37,4 +37,12 @@ std::optional<Eigen::Vector2d> PixelRays::pixel(const Eigen::Vector3d& point) co
   return shift_ + inverse_ * (ray - model_.row(2).transpose());
 }
 
+Eigen::Matrix3d PixelRays::projection() const {
+  Eigen::Matrix3d p = Eigen::Matrix3d::Zero();
+  p.topLeftCorner<2, 2>() = inverse_;
+  p.block<2, 1>(0, 2) = shift_ - inverse_ * model_.row(2).transpose();
+  p(2, 2) = 1.0;
+  return p;
+}
+
 }  // namespace mixed_palletizing::detection

@@ -25,6 +25,9 @@ class PixelRays {
   /// (column, row) where a point of the camera frame is seen; nothing for a point behind the camera.
   std::optional<Eigen::Vector2d> pixel(const Eigen::Vector3d& point) const;
 
+  /// The same as a projection: (column, row, 1) times depth = projection() * point.
+  Eigen::Matrix3d projection() const;
+
  private:
   std::size_t count_ = 0;
   Eigen::Vector2d shift_ = Eigen::Vector2d::Zero();  // the first pixel: keeps the sums small

@@ -12,7 +12,7 @@
 
 #include <mixed_palletizing/geometry/rectangle.hpp>
 
-#include "outline.hpp"
+#include "edge_walks.hpp"
 #include "rectangle_from_edges.hpp"
 
 namespace mixed_palletizing::detection {
@@ -20,7 +20,7 @@ namespace mixed_palletizing::detection {
 struct SideFit {
   bool found = false;  ///< false: the side is where the starting rectangle had it
   std::size_t samples = 0;
-  double stddev_m = 0.0;  ///< of the side's offset, only when found
+  double stddev_m = 0.0;  ///< of the side's offset; 0 when nothing is known of it
 };
 
 struct RectangleFit {
@@ -35,13 +35,16 @@ struct FitScale {
   double spacing_m = 0.0;  ///< between neighbouring points on the top
   double noise_m = 0.0;    ///< standard deviation of the points
   double ripple_m = 0.0;   ///< part of it that neighbouring points share
+  double uneven_m = 0.0;   ///< standard deviation of the surface's own shape
+  Eigen::Vector3d camera =
+      Eigen::Vector3d(0.0, 0.0, 1e6);  ///< place, z above the top; default: straight above
 };
 
-/// Moves the starting rectangle onto the samples. A side that the camera looks at from outside ends where its
-/// face begins (OutlineSample::at_band), another where the top ends (at_top). Sides with too few samples keep
-/// their place.
-RectangleFit fitRectangle(const std::vector<OutlineSample>& samples, const EdgeRectangle& start,
-                          const Eigen::Vector2d& camera, const FitScale& scale);
+/// Moves the starting rectangle onto the samples: one angle and four offsets with Tukey's weights. Where a face
+/// below stands out beyond the side (a rounded edge), the side is moved onto the face. Sides with too few samples
+/// keep their place.
+RectangleFit fitRectangle(const std::vector<EdgeSample>& samples, const EdgeRectangle& start,
+                          const FitScale& scale);
 
 /// The starting rectangle as it is, with the spread of its edges: the thesis' result.
 RectangleFit keepRectangle(const EdgeRectangle& start, const FitScale& scale);

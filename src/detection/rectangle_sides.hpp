@@ -7,8 +7,6 @@
 
 #include <mixed_palletizing/geometry/rectangle.hpp>
 
-#include "outline.hpp"
-
 namespace mixed_palletizing::detection {
 
 // Outward normals in the rectangle's own axes, in the order of Rectangle::corners(), and the directions along.
@@ -34,16 +32,5 @@ struct Axes {
   Eigen::Vector2d x;
   Eigen::Vector2d y;
 };
-
-/// True when the camera stands on the outer side of this side: its face is in view.
-inline bool faceInView(const geometry::Rectangle& r, std::size_t side, const Eigen::Vector2d& camera) {
-  return kOutward[side].dot(r.toLocal(camera)) > halfAcross(r, side);
-}
-
-/// Where a sample says that a side is. The face of a side in view begins below the top's band, unless it has no
-/// data (it lies in the projector's shadow): then the last point of the top is the last before the edge.
-inline const Eigen::Vector2d& placeOf(const OutlineSample& sample, bool face_in_view) {
-  return face_in_view && sample.goes_on ? sample.at_band : sample.at_top;
-}
 
 }  // namespace mixed_palletizing::detection

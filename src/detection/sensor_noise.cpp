@@ -29,7 +29,7 @@ double excess(double stddev, double other) {
 }
 
 struct Samples {
-  std::vector<double> along_row, along_column, second_difference, height;
+  std::vector<double> along_row, along_column, second_difference, height, depth;
   double floor_gain_squares = 0.0;  // of the floor samples: (height error over depth error at 1 m)^2
   std::size_t valid = 0;
 };
@@ -39,6 +39,7 @@ void sampleAt(const BaseCloud& cloud, int row, int col, double floor_band_m, Sam
   ++samples.valid;
   const Eigen::Vector3d ray = cloud.ray(row, col);
   const double depth = static_cast<double>(cloud.view().point(row, col).z());
+  samples.depth.push_back(depth);
   const double height = std::abs(cloud.point(row, col).z());
   if (height < floor_band_m) {
     samples.height.push_back(height);
@@ -71,6 +72,7 @@ SensorNoise measureNoise(const BaseCloud& cloud, double floor_band_m) {
   SensorNoise noise;
   noise.spacing_per_m = std::max(quantile(samples.along_row, 0.5), quantile(samples.along_column, 0.5));
   noise.depth_per_m2 = quantile(samples.second_difference, 0.5) / (kNormalMedian * kSecondDifference);
+  if (samples.depth.size() >= kEnough) noise.scene_depth_m = quantile(samples.depth, 0.5);
   // The lower quartile holds even when most of the band is something other than floor.
   if (static_cast<double>(samples.height.size()) > kFloorShare * static_cast<double>(samples.valid)) {
     const double gain = std::sqrt(samples.floor_gain_squares / static_cast<double>(samples.height.size()));

@@ -10,6 +10,7 @@ namespace mixed_palletizing::detection {
 struct SensorNoise {
   double spacing_per_m = 0.0;   ///< distance of neighbouring rays at depth 1 m, the coarser image direction
   double depth_per_m2 = 0.0;    ///< standard deviation of the depth at 1 m; grows with the depth squared
+  double scene_depth_m = 1.0;   ///< median depth of the scene
   double floor_stddev_m = 0.0;  ///< of the heights near the floor: noise and ripple together
   double ripple_m = 0.0;  ///< what the floor strays beyond the depth noise: errors that neighbouring points
                           ///< share, so that no mean removes them; they show at edges too

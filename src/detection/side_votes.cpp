@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t kMinSamples = 8;  // of a side
 constexpr int kBins = 20;               // along a side, to see how much of it has samples
 constexpr int kMinBins = 4;
+constexpr double kAcross = 0.3;        // cosine between a walk and the normal of the side that it ends at
 constexpr double kCornerShare = 0.03;  // of a side: rounded corners and pixels of two sides stay out
 
 struct Extent {
@@ -27,35 +28,40 @@ struct Extent {
 
 }  // namespace
 
-SideVotes collectVotes(const std::vector<OutlineSample>& samples, const geometry::Rectangle& r,
-                       std::size_t side, bool face_in_view, double gate_m, double corner_m) {
+SideVotes collectVotes(const std::vector<EdgeSample>& samples, const geometry::Rectangle& r, std::size_t side,
+                       double gate_m, double corner_m) {
   SideVotes result;
   const double reach = std::max(0.0, halfAlong(r, side) * (1.0 - kCornerShare) - corner_m);
   const double offset = halfAcross(r, side);
   const Axes axes(r);
-  const auto near = [&](const OutlineSample& sample, Vote& vote) {
-    if (sample.across != Across::kFree) return false;
-    const Eigen::Vector2d local = axes.local(placeOf(sample, face_in_view));
+  const Eigen::Vector2d normal = kOutward[side].x() * axes.x + kOutward[side].y() * axes.y;
+  const auto near = [&](const EdgeSample& sample, Vote& vote) {
+    const bool seam = sample.beyond == Beyond::kHole && static_cast<double>(sample.gap_m) < kWideSeam;
+    if (!sample.isEdge() && !seam) return false;
+    if (sample.outward.dot(normal) < kAcross) return false;
+    const Eigen::Vector2d local = axes.local(sample.place);
     vote.across = kOutward[side].dot(local);
     vote.along = alongOf(side).dot(local);
-    vote.pixel = sample.pixel_m;
+    vote.pixel = static_cast<double>(sample.pixel_m) * sample.outward.dot(normal);
     return std::abs(vote.along) < reach && std::abs(vote.across - offset) < gate_m;
   };
   Vote vote;
   Extent rows;
   Extent cols;
-  for (const OutlineSample& sample : samples) {
+  for (const EdgeSample& sample : samples) {
     if (!near(sample, vote)) continue;
     rows.add(sample.row);
     cols.add(sample.col);
   }
   const bool by_rows = rows.length() >= cols.length();
   Extent crossed;
-  for (const OutlineSample& sample : samples) {
+  for (const EdgeSample& sample : samples) {
     if (sample.along_row != by_rows || !near(sample, vote)) continue;
     result.votes.push_back(vote);
+    if (sample.beyond == Beyond::kWall) result.wall_share += 1.0;
     crossed.add(by_rows ? sample.col : sample.row);
   }
+  result.wall_share /= std::max(1.0, static_cast<double>(result.votes.size()));
   result.crossings = crossed.length();
   return result;
 }

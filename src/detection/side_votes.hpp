@@ -5,7 +5,7 @@
 
 #include <mixed_palletizing/geometry/rectangle.hpp>
 
-#include "outline.hpp"
+#include "edge_walks.hpp"
 
 namespace mixed_palletizing::detection {
 
@@ -19,13 +19,14 @@ struct Vote {
 
 struct SideVotes {
   std::vector<Vote> votes;
+  double wall_share = 0.0;  ///< of the votes: the side stands against something higher
   int crossings = 0;  ///< grid lines that the side crosses against the direction its samples were found in
 };
 
-/// Free samples within `gate_m` of the side and not within `corner_m` of its ends, found along the grid direction
-/// that crosses the side more squarely.
-SideVotes collectVotes(const std::vector<OutlineSample>& samples, const geometry::Rectangle& rectangle,
-                       std::size_t side, bool face_in_view, double gate_m, double corner_m);
+/// Ends of the surface within `gate_m` of the side, walked to from inside, and not within `corner_m` of its ends;
+/// of rows and columns those that cross the side more squarely.
+SideVotes collectVotes(const std::vector<EdgeSample>& samples, const geometry::Rectangle& rectangle,
+                       std::size_t side, double gate_m, double corner_m);
 
 /// True when the votes are enough, and spread along enough of the side, to say where it is.
 bool enoughVotes(const SideVotes& votes, double half_along_m);

@@ -199,20 +199,40 @@ TEST(BoxDetector, saysWhySomethingIsNoBox) {
   EXPECT_EQ(reasonOf({0.30, 0.20, 0.1}, many), RejectReason::kTooFewPoints);
 }
 
-TEST(BoxDetector, anLOfTwoBoxesIsNotRectangular) {
-  // Two boxes of one height side by side make an L.
+/// Two boxes of one height, face to face, as an L.
+Scene boxesInAnL() {
   Scene scene = oneBox({0.0, 0.0});
   scene.boxes[0].size_m = Eigen::Vector3d(0.3, 0.1, 0.15);
   scene.boxes[0].yaw_rad = 0.0;
   SceneBox leg = scene.boxes[0];
   leg.size_m = Eigen::Vector3d(0.1, 0.2, 0.15);
   leg.position_m = Eigen::Vector2d(-0.1, 0.15);
+  leg.rgb = 0xd0c8b8;
   scene.boxes.push_back(leg);
-  const Detections found = detectIn(scene);
+  return scene;
+}
+
+TEST(BoxDetector, anLOfTwoBoxesIsNotRectangularForTheThesis) {
+  DetectionOptions options;
+  options.method = Method::kThesis;
+  const Detections found = detectIn(boxesInAnL(), options);
   EXPECT_TRUE(found.boxes.empty());
   EXPECT_TRUE(std::any_of(found.rejected.begin(), found.rejected.end(), [](const RejectedCluster& cluster) {
     return cluster.reason == RejectReason::kNotRectangular;
   }));
+}
+
+TEST(BoxDetector, explainsAnLByTwoBoxes) {
+  // Where to cut it is another question: both cuts make two boxes.
+  const Detections found = detectIn(boxesInAnL());
+  ASSERT_EQ(found.boxes.size(), 2u);
+  double area = 0.0;
+  for (const DetectedBox& box : found.boxes) {
+    area += box.size.x() * box.size.y();
+    EXPECT_TRUE(box.flags & kTouching);
+    EXPECT_NEAR(box.size.z(), 0.15, 0.001);
+  }
+  EXPECT_NEAR(area, 0.3 * 0.1 + 0.1 * 0.2, 0.001);
 }
 
 TEST(BoxDetector, keepsNothingOfTheCloudBefore) {

@@ -1,0 +1,56 @@
+// From one rectangle of a cover to one box, or to the reason why it is none.
+#pragma once
+
+#include <array>
+#include <variant>
+#include <vector>
+
+#include <mixed_palletizing/detection/detections.hpp>
+#include <mixed_palletizing/detection/options.hpp>
+
+#include "box_candidate.hpp"
+#include "rectangle_cover.hpp"
+#include "rectangle_fit.hpp"
+#include "top_surface.hpp"
+
+namespace mixed_palletizing::detection {
+
+/// What the boxes of one cloud share.
+struct LevelContext {
+  const BaseCloud& cloud;
+  const CellGrid& cells;
+  const LevelPieces& pieces;
+  const SensorNoise& noise;
+  const DetectionOptions& options;
+};
+
+/// The ends of the surface around a rectangle, by what they are [m of outline].
+struct OutlineShares {
+  double on_sides = 0.0;
+  double off_sides = 0.0;
+  double occluded = 0.0;
+  double border = 0.0;
+  double all() const { return on_sides + off_sides + occluded + border; }
+};
+
+/// A rectangle that passes for a top.
+struct FittedTop {
+  const TopGroup* group = nullptr;
+  RectangleFit fit;
+  TopSurface surface;
+  OutlineShares outline;
+  double visibility = 1.0;
+};
+
+/// Fits, measures and judges one rectangle of a group's cover. The group must outlive the result.
+std::variant<FittedTop, Refusal> fitTop(const LevelContext& context, const TopGroup& group,
+                                        const TopAxes& axes, const TopRaster& raster, const CoverBox& cover);
+
+/// The box below a top, standing on the floor.
+FoundBox describeTop(const LevelContext& context, const FittedTop& top);
+
+/// Surface of the cells well inside a rectangle, around a level.
+TopSurface measureCells(const LevelContext& context, const TopGroup& group,
+                        const geometry::Rectangle& rectangle, double level_m);
+
+}  // namespace mixed_palletizing::detection

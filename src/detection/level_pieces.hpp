@@ -1,0 +1,61 @@
+// Pieces of level surface: cells that go on into each other without a step, joined by union-find.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "cell_grid.hpp"
+#include "sensor_noise.hpp"
+
+namespace mixed_palletizing::detection {
+
+/// A connected level surface. Heights follow the plane height(x, y) = mean + slope . ((x, y) - center).
+struct LevelPiece {
+  std::size_t points = 0;
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< of the points, base frame [m]
+  double height_m = 0.0;                             ///< mean
+  Eigen::Vector2d slope = Eigen::Vector2d::Zero();
+  double rms_m = 0.0;             ///< of the cells from the plane
+  double depth_m = 0.0;           ///< mean distance along the optical axis
+  int row_min = 0, row_max = -1;  ///< cells
+  int col_min = 0, col_max = -1;
+  Eigen::Vector2d low = Eigen::Vector2d::Zero();  ///< bounds of the cells' places
+  Eigen::Vector2d high = Eigen::Vector2d::Zero();
+
+  double heightAt(const Eigen::Vector2d& place) const { return height_m + slope.dot(place - center); }
+};
+
+class LevelPieces {
+ public:
+  /// Finds the pieces that are large and thick enough to be a top or a part of one.
+  void find(const CellGrid& cells, const SensorNoise& noise, std::size_t min_points);
+
+  const std::vector<LevelPiece>& pieces() const { return pieces_; }
+
+  /// Number of the piece that a cell belongs to; -1 for none.
+  int pieceOf(std::size_t cell) const { return labels_[cell]; }
+
+ private:
+  /// Of the cells of one piece, kept with its root.
+  struct Count {
+    std::size_t points = 0;
+    int cells = 0;
+    int core = 0;
+  };
+  int root(int cell);
+  void join(const CellGrid& cells, const SensorNoise& noise);
+  void collect(const CellGrid& cells, const SensorNoise& noise, std::size_t min_points);
+  void measure(const CellGrid& cells, std::size_t first);
+  bool trim(const CellGrid& cells, const SensorNoise& noise, std::size_t first);
+
+  std::vector<char> active_;  // cells that are still to be looked at
+  std::vector<int> parents_;  // -1: not level
+  std::vector<int> labels_;
+  std::vector<int> numbers_;
+  std::vector<Count> counts_;
+  std::vector<LevelPiece> pieces_;
+};
+
+}  // namespace mixed_palletizing::detection

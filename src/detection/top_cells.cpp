@@ -1,0 +1,101 @@
+// Height, evenness and tilt of a top from the cells well inside its rectangle.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "level_box.hpp"
+
+namespace mixed_palletizing::detection {
+namespace {
+
+constexpr int kParts = 6;              // per side, for the evenness
+constexpr double kInnerCells = 1.2;    // cells next to the sides that stay out
+constexpr double kLargestInset = 0.2;  // of a side
+constexpr double kReach = 0.02;        // [m] around the level: dents and bulges
+constexpr double kReachBands = 3.0;
+constexpr double kFilled = 0.5;      // share of a cell's pixels
+constexpr double kFilledPart = 0.3;  // of the mean part
+constexpr int kTrimRounds = 2;
+
+/// A cell of the top in the rectangle's axes.
+struct TopCell {
+  double x, y, height, weight;
+};
+
+std::vector<TopCell> innerCells(const LevelContext& context, const TopGroup& group,
+                                const geometry::Rectangle& r, double level_m) {
+  std::vector<TopCell> cells;
+  const int k = context.cells.cellPx();
+  const double inset = kInnerCells * k * group.pixel_m;
+  const Eigen::Array2d inner = (0.5 * r.size.array() - inset).max((0.5 - kLargestInset) * r.size.array());
+  const double reach = std::max(kReach, kReachBands * group.scale.band_m);
+  const Eigen::Vector2d ax = r.axisX();
+  const Eigen::Vector2d ay = r.axisY();
+  for (int row = group.box.row_min / k; row <= group.box.row_max / k; ++row) {
+    for (int col = group.box.col_min / k; col <= group.box.col_max / k; ++col) {
+      const Cell& cell = context.cells.at(row, col);
+      if (cell.above < kFilled * k * k || cell.others > 0) continue;
+      if (std::abs(cell.height - level_m) > reach) continue;
+      const Eigen::Vector2d d = Eigen::Vector2d(cell.x, cell.y) - r.center;
+      const double x = d.dot(ax);
+      const double y = d.dot(ay);
+      if (std::abs(x) > inner.x() || std::abs(y) > inner.y()) continue;
+      cells.push_back({x, y, cell.height, static_cast<double>(cell.above)});
+    }
+  }
+  return cells;
+}
+
+void meanOf(const std::vector<TopCell>& cells, double reach_m, TopSurface& surface) {
+  double n = 0.0, sum = 0.0, squares = 0.0;
+  for (const TopCell& cell : cells) {
+    const double off = cell.height - surface.height_m;
+    if (std::abs(off) > reach_m) continue;
+    n += cell.weight;
+    sum += cell.weight * off;
+    squares += cell.weight * off * off;
+  }
+  if (n <= 0.0) return;
+  surface.count = static_cast<std::size_t>(n);
+  surface.stddev_m = std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n)));
+  surface.height_m += sum / n;
+}
+
+double unevenness(const std::vector<TopCell>& cells, const geometry::Rectangle& r, double height_m) {
+  std::array<double, kParts * kParts> sums{};
+  std::array<double, kParts * kParts> weights{};
+  double all = 0.0;
+  for (const TopCell& cell : cells) {
+    const int i = std::clamp(static_cast<int>((cell.x / r.size.x() + 0.5) * kParts), 0, kParts - 1);
+    const int k = std::clamp(static_cast<int>((cell.y / r.size.y() + 0.5) * kParts), 0, kParts - 1);
+    const auto part = static_cast<std::size_t>(k * kParts + i);
+    sums[part] += cell.weight * (cell.height - height_m);
+    weights[part] += cell.weight;
+    all += cell.weight;
+  }
+  double largest = 0.0;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (weights[i] * kParts * kParts < kFilledPart * all || weights[i] <= 0.0) continue;
+    largest = std::max(largest, std::abs(sums[i] / weights[i]));
+  }
+  return largest;
+}
+
+}  // namespace
+
+TopSurface measureCells(const LevelContext& context, const TopGroup& group,
+                        const geometry::Rectangle& rectangle, double level_m) {
+  TopSurface surface;
+  surface.height_m = level_m;
+  const std::vector<TopCell> cells = innerCells(context, group, rectangle, level_m);
+  meanOf(cells, INFINITY, surface);
+  if (group.scale.flat) {
+    for (int i = 0; i < kTrimRounds; ++i) meanOf(cells, group.scale.band_m, surface);
+  }
+  surface.uneven_m = unevenness(cells, rectangle, surface.height_m);
+  return surface;
+}
+
+}  // namespace mixed_palletizing::detection

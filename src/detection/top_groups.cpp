@@ -1,0 +1,118 @@
+#include "top_groups.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <mixed_palletizing/geometry/pose.hpp>
+
+namespace mixed_palletizing::detection {
+namespace {
+
+constexpr int kRayMargin = 40;  // [px] around a piece, from which rays are taken too
+constexpr double kNear = 0.30;  // [m] between pieces of one top
+constexpr double kLevelTolerance = 0.0015;
+constexpr double kLevelSigmas = 4.0;
+constexpr double kUnevenShare = 2.0;      // of the roughness of both pieces
+constexpr double kSameYaw = 0.05;         // [rad]
+constexpr std::size_t kYawSamples = 250;  // of a piece whose yaw is to be believed
+constexpr std::size_t kOpenSamples = 4;   // that see more of the level, or something before it
+
+/// Distance between two upright rectangles.
+double distanceOf(const LevelPiece& a, const LevelPiece& b) {
+  const Eigen::Vector2d gap = (a.low - b.high).cwiseMax(b.low - a.high).cwiseMax(Eigen::Vector2d::Zero());
+  return gap.norm();
+}
+
+double medianPixel(std::vector<EdgeSample>& samples) {
+  const auto middle = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
+  std::vector<float> pixels;
+  for (const EdgeSample& s : samples) pixels.push_back(s.pixel_m);
+  const auto at = pixels.begin() + (middle - samples.begin());
+  std::nth_element(pixels.begin(), at, pixels.end());
+  return static_cast<double>(*at);
+}
+
+}  // namespace
+
+void TopGroups::trace(const BaseCloud& cloud, const CellGrid& cells, const SensorNoise& noise,
+                      const LevelPieces& pieces, std::size_t index) {
+  const LevelPiece& piece = pieces.pieces()[index];
+  Outline& outline = outlines_[index];
+  outline.samples.clear();
+  outline.usable = false;
+  const int k = cells.cellPx();
+  outline.box =
+      PixelBox{piece.row_min * k, (piece.row_max + 1) * k - 1, piece.col_min * k, (piece.col_max + 1) * k - 1}
+          .grown(0, cloud.width(), cloud.height());
+  if (!outline.rays.fit(cloud, outline.box.grown(kRayMargin, cloud.width(), cloud.height()))) return;
+  outline.scale = walkScale(piece, noise, outline.rays);
+  walkEdges(cloud, cells, pieces, static_cast<int>(index), outline.rays, outline.scale, outline.samples);
+  if (outline.samples.empty()) return;
+  outline.usable = true;
+  outline.pixel_m = medianPixel(outline.samples);
+  outline.yaw_rad = sharpestYaw(outline.samples, outline.pixel_m);
+  const auto open = std::count_if(outline.samples.begin(), outline.samples.end(), [](const EdgeSample& s) {
+    return s.beyond == Beyond::kHole || s.beyond == Beyond::kOccluder || s.beyond == Beyond::kNoData;
+  });
+  outline.open = static_cast<std::size_t>(open) >= kOpenSamples;
+}
+
+bool TopGroups::together(const LevelPieces& pieces, std::size_t a, std::size_t b) const {
+  const Outline& one = outlines_[a];
+  const Outline& two = outlines_[b];
+  if (!one.usable || !two.usable || !one.open || !two.open) return false;
+  const LevelPiece& large = pieces.pieces()[pieces.pieces()[a].points > pieces.pieces()[b].points ? a : b];
+  const LevelPiece& small = pieces.pieces()[&large == &pieces.pieces()[a] ? b : a];
+  if (distanceOf(large, small) > kNear) return false;
+  const double step = std::min(std::abs(large.heightAt(small.center) - small.height_m),
+                               std::abs(large.height_m - small.height_m));
+  const double tolerance = std::max(kLevelTolerance, kLevelSigmas * one.scale.noise_m) +
+                           kUnevenShare * (large.rms_m + small.rms_m);
+  if (step > tolerance) return false;
+  if (one.samples.size() < kYawSamples || two.samples.size() < kYawSamples) return true;
+  return std::abs(geometry::foldQuarterTurn(one.yaw_rad - two.yaw_rad)) < kSameYaw;
+}
+
+const std::vector<TopGroup>& TopGroups::find(const BaseCloud& cloud, const CellGrid& cells,
+                                             const SensorNoise& noise, const LevelPieces& pieces) {
+  const std::size_t count = pieces.pieces().size();
+  if (outlines_.size() < count) outlines_.resize(count);
+  std::vector<std::size_t> group(count);
+  std::iota(group.begin(), group.end(), std::size_t{0});
+  for (std::size_t i = 0; i < count; ++i) trace(cloud, cells, noise, pieces, i);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = i + 1; k < count; ++k) {
+      if (group[i] == group[k] || !together(pieces, i, k)) continue;
+      const std::size_t from = std::max(group[i], group[k]);
+      const std::size_t to = std::min(group[i], group[k]);
+      std::replace(group.begin(), group.end(), from, to);
+    }
+  }
+  groups_.clear();
+  for (std::size_t first = 0; first < count; ++first) {
+    if (group[first] != first || !outlines_[first].usable) continue;
+    groups_.emplace_back();
+    TopGroup& made = groups_.back();
+    std::size_t most = 0;
+    for (std::size_t i = first; i < count; ++i) {
+      if (group[i] != first || !outlines_[i].usable) continue;
+      const Outline& outline = outlines_[i];
+      made.pieces.push_back(static_cast<int>(i));
+      made.box.include(outline.box);
+      made.samples.insert(made.samples.end(), outline.samples.begin(), outline.samples.end());
+      if (pieces.pieces()[i].points <= most) continue;
+      most = pieces.pieces()[i].points;
+      made.largest = static_cast<int>(i);
+      made.scale = outline.scale;
+      made.pixel_m = outline.pixel_m;
+      made.rays = outline.rays;
+    }
+    if (made.pieces.size() > 1) {
+      made.rays.fit(cloud, made.box.grown(kRayMargin, cloud.width(), cloud.height()));
+    }
+  }
+  return groups_;
+}
+
+}  // namespace mixed_palletizing::detection
