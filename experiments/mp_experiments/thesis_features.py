@@ -78,9 +78,13 @@ def occlusion(page, measurer, counts):
                          number(mean(lines), 1), f'{len(lines)} of {len(chosen)}', number(mean(best)),
                          f'{len(best)} of {len(boxes)}']))
     page.table(['', 'tops', 'centroid, mean mm', 'lines, mean mm', 'lines known', 'ours, mean mm', 'ours complete'], rows)
-    index = ours.records[0]['scene']
-    page.figure(plots.scene(measurer.picture('thesis_occlusion', index), ours.record(index)),
-                f'Scene {index} with our detections. Dashed green: true tops.')
+    if not tops:
+        return
+    worst = min(tops, key=lambda t: t['truth']['visible_ratio'])
+    marks = [(*worst['centroid_px'], plots.WRONG), (*worst['truth']['center_px'], plots.FOUND)]
+    picture = plots.scene(measurer.picture('thesis_occlusion', worst['scene']), ours.record(worst['scene']), marks)
+    page.figure(picture, f'Scene {worst["scene"]}. Crosses as in Fig. 4.13: the centroid of the top\'s points (red), the true '
+                'centre (blue). Outlines: true tops dashed green, ours blue.')
 
 
 def orientation(page, measurer, counts):

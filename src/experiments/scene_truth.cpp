@@ -69,16 +69,18 @@ geometry::Pose trueBaseFromCamera(const simulation::Scene& scene) {
   return simulation::worldFromMarker(scene.marker).inverse() * scene.camera.world_from_camera;
 }
 
+Eigen::Vector2d projectedPoint(const simulation::Scene& scene, const geometry::Pose& base_from_camera,
+                               const Eigen::Vector3d& point) {
+  return simulation::Pinhole(scene.camera).project(base_from_camera.inverse() * point);
+}
+
 std::array<Eigen::Vector2d, 4> projectedCorners(const simulation::Scene& scene,
                                                 const geometry::Pose& base_from_camera,
                                                 const geometry::Rectangle& rectangle, double height_m) {
-  const simulation::Pinhole pinhole(scene.camera);
-  const geometry::Pose camera_from_base = base_from_camera.inverse();
   const std::array<Eigen::Vector2d, 4> corners = rectangle.corners();
   std::array<Eigen::Vector2d, 4> pixels;
   for (std::size_t i = 0; i < 4; ++i) {
-    const Eigen::Vector3d corner(corners[i].x(), corners[i].y(), height_m);
-    pixels[i] = pinhole.project(camera_from_base * corner);
+    pixels[i] = projectedPoint(scene, base_from_camera, {corners[i].x(), corners[i].y(), height_m});
   }
   return pixels;
 }

@@ -70,15 +70,24 @@ std::vector<TopRecord> measureTops(const SceneSource& source, std::uint64_t inde
   const simulation::Scene scene = source.scene(index);
   const simulation::Capture capture = simulation::capture(scene, source.noise_seed(index));
   const std::vector<TrueBox> truth = trueBoxes(scene, capture);
+  const geometry::Pose base_from_camera = trueBaseFromCamera(scene);
   std::vector<TopRecord> records;
   for (const detection::TopStudy& study :
-       detection::studyTops(capture.cloud.view(), trueBaseFromCamera(scene), options, thresholds_m)) {
+       detection::studyTops(capture.cloud.view(), base_from_camera, options, thresholds_m)) {
     const auto nearest = std::min_element(
         truth.begin(), truth.end(),
         [&](const TrueBox& a, const TrueBox& b) { return distanceTo(a, study) < distanceTo(b, study); });
     if (nearest == truth.end() || !nearest->counts()) continue;
     if (distanceTo(*nearest, study) > 0.5 * nearest->size.y()) continue;
-    records.push_back({index, *nearest, study});
+    TopRecord record{index, *nearest, study, {}, {}};
+    record.center_px = projectedPoint(scene, base_from_camera, nearest->top_center);
+    record.centroid_px = record.center_px;
+    if (!study.variants.empty()) {
+      const Eigen::Vector2d& centroid = study.variants.front().centroid;
+      record.centroid_px =
+          projectedPoint(scene, base_from_camera, {centroid.x(), centroid.y(), study.height_m});
+    }
+    records.push_back(record);
   }
   return records;
 }
@@ -90,7 +99,9 @@ std::string topJson(const TopRecord& record) {
               {"truth",
                {{"size", {size.x(), size.y(), size.z()}},
                 {"top_center", {center.x(), center.y(), center.z()}},
-                {"visible_ratio", record.truth.visible_ratio}}},
+                {"visible_ratio", record.truth.visible_ratio},
+                {"center_px", {record.center_px.x(), record.center_px.y()}}}},
+              {"centroid_px", {record.centroid_px.x(), record.centroid_px.y()}},
               {"reference", record.study.reference},
               {"slices", slicesOf(record.study)},
               {"variants", json::array()}};

@@ -42,6 +42,10 @@ geometry::Pose trueBaseFromCamera(const simulation::Scene& scene);
 /// One for every box of the scene. `capture` is one of this scene.
 std::vector<TrueBox> trueBoxes(const simulation::Scene& scene, const simulation::Capture& capture);
 
+/// A point of the base frame as the scene's camera sees it (column, row).
+Eigen::Vector2d projectedPoint(const simulation::Scene& scene, const geometry::Pose& base_from_camera,
+                               const Eigen::Vector3d& point);
+
 /// Corners of a level rectangle at `height_m` of the base frame as the scene's camera sees them (column, row).
 std::array<Eigen::Vector2d, 4> projectedCorners(const simulation::Scene& scene,
                                                 const geometry::Pose& base_from_camera,

@@ -33,6 +33,9 @@ TEST(MeasureTops, StudiesEveryBoxWithEveryThreshold) {
       ASSERT_EQ(record.study.variants.size(), 3u);
       EXPECT_NEAR(record.study.height_m, record.truth.top_center.z(), 0.002);
       EXPECT_EQ(record.study.variants[0].threshold_m, 0.0);
+      EXPECT_LT((record.center_px - record.centroid_px).norm(), 10.0);
+      EXPECT_GT(record.center_px.x(), 0.0);
+      EXPECT_LT(record.center_px.x(), 640.0);
       // A wider band never holds fewer points.
       EXPECT_LE(record.study.variants[1].points, record.study.variants[2].points);
     }
