@@ -1,6 +1,7 @@
-// Eq. 3.11 takes the difference of the two lines' distances from the origin: exact for parallel edges, and for others the
-// more wrong the farther the box is from the origin. Eq. 4.1 and 4.2 intersect the edges with a line through the centre.
-// The last variant of 4.1.7 turns that line until width and length add up to the least.
+// Eq. 3.11 takes the difference of the two lines' distances from the origin: exact for parallel edges, and
+// for others the more wrong the farther the box is from the origin. Eq. 4.1 and 4.2 intersect the edges with
+// a line through the centre. The last variant of 4.1.7 turns that line until width and length add up to the
+// least.
 #include "edge_sizes.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The thesis' chain opened up: what its separation of the top, edges and formulas for sizes give side by side (thesis
-// 3.2.2, 3.2.3, 4.1.3, 4.1.5, 4.1.7). For experiments; the detector does not use it.
+// The thesis' chain opened up: what its separation of the top, edges and formulas for sizes give side by side
+// (thesis 3.2.2, 3.2.3, 4.1.3, 4.1.5, 4.1.7). For experiments; the detector does not use it.
 #pragma once
 
 #include <cstdint>
@@ -43,8 +43,8 @@ struct TopStudy {
       variants;  ///< adaptive, then one for each threshold; those without a top are left out
 };
 
-/// Every cluster of the cloud that is large enough and has a level top. `thresholds_m` are tried beside the adaptive
-/// separation. Throws std::invalid_argument with the lines of problems(options).
+/// Every cluster of the cloud that is large enough and has a level top. `thresholds_m` are tried beside the
+/// adaptive separation. Throws std::invalid_argument with the lines of problems(options).
 std::vector<TopStudy> studyTops(const geometry::CloudView& cloud, const geometry::Pose& base_from_camera,
                                 const DetectionOptions& options, const std::vector<double>& thresholds_m);
 

@@ -27,7 +27,8 @@ struct BoxErrors {
 
   /// Horizontal distance of the top's centre [m]: the "position" of tables.
   double position() const;
-  /// Both sides of the top are reported with a standard deviation of at most kKnownStddev, and not as INCOMPLETE.
+  /// Both sides of the top are reported with a standard deviation of at most kKnownStddev, and not as
+  /// INCOMPLETE.
   bool isComplete() const;
   bool isKnown(Quantity size) const { return stddev[size] <= kKnownStddev; }
   /// A size is wrong by more than 5 mm and three reported standard deviations.
@@ -38,9 +39,9 @@ struct BoxErrors {
   static constexpr double kKnownStddev = 0.01;  ///< [m]
 };
 
-/// The yaw is compared modulo half a turn. When the true sides differ by less than kNearlySquare, the detection's
-/// length may lie along the true width: whichever gives the smaller angle. `found_base` and `true_base` are
-/// base_from_camera as found and as it is.
+/// The yaw is compared modulo half a turn. When the true sides differ by less than kNearlySquare, the
+/// detection's length may lie along the true width: whichever gives the smaller angle. `found_base` and
+/// `true_base` are base_from_camera as found and as it is.
 BoxErrors boxErrors(const TrueBox& truth, const detection::DetectedBox& box, const geometry::Pose& true_base,
                     const geometry::Pose& found_base);
 

@@ -1,13 +1,14 @@
 // Which detection is which box of the scene.
 //
 // A detection is a box when their tops are within kHighestStep of one height, and
-//   - their footprints share at least kLeastOverlap of their union, and their centres lie within a quarter of the
-//     box's width; or
-//   - a part of the box is out of sight (TrueBox::visible_ratio below kWholeTop) and the detection says itself that it is
-//     partial (OCCLUDED, TRUNCATED or INCOMPLETE), or the box need not be found; then at least kLeastInside of the
-//     smaller footprint must lie in the other.
-// Pairs are taken one to one, those with the larger shared part of the union first. Two boxes reported as one share at
-// most two thirds of the union with one of them when they are not very unequal, and the centre is off: neither is found.
+//   - their footprints share at least kLeastOverlap of their union, and their centres lie within a quarter of
+//     the box's width; or
+//   - a part of the box is out of sight (TrueBox::visible_ratio below kWholeTop) and the detection says
+//     itself that it is partial (OCCLUDED, TRUNCATED or INCOMPLETE), or the box need not be found; then at
+//     least kLeastInside of the smaller footprint must lie in the other.
+// Pairs are taken one to one, those with the larger shared part of the union first. Two boxes reported as one
+// share at most two thirds of the union with one of them when they are not very unequal, and the centre is
+// off: neither is found.
 #pragma once
 
 #include <cstddef>

@@ -23,9 +23,10 @@ struct ErrorStatistics {
 
 ErrorStatistics statisticsOf(const std::vector<double>& errors);
 
-/// Millimetres, degrees and milliseconds. Boxes that need not be found (TrueBox::counts) are left out except where
-/// it says so. Position, yaw, length and width are those of boxes reported as complete (BoxErrors::isComplete); of the
-/// others a size counts when its own standard deviation says that it is known.
+/// Millimetres, degrees and milliseconds. Boxes that need not be found (TrueBox::counts) are left out except
+/// where it says so. Position, yaw, length and width are those of boxes reported as complete
+/// (BoxErrors::isComplete); of the others a size counts when its own standard deviation says that it is
+/// known.
 struct DetectionSummary {
   std::size_t scenes = 0;
   std::size_t boxes = 0;       ///< that must be found

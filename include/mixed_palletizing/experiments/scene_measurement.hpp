@@ -57,8 +57,9 @@ SceneSource recipeSource(const simulation::Recipe& recipe, std::uint64_t seed);
 SceneRecord measureScene(const SceneSource& source, std::uint64_t index, const MeasurementOptions& options,
                          const std::function<void(const simulation::Capture&)>& look = nullptr);
 
-/// Scenes [first, first + count) on `threads` threads, in their order. `done` is called after each, by one thread
-/// at a time; may be empty. Times are those of scenes side by side. Throws what the first failing scene threw.
+/// Scenes [first, first + count) on `threads` threads, in their order. `done` is called after each, by one
+/// thread at a time; may be empty. Times are those of scenes side by side. Throws what the first failing
+/// scene threw.
 std::vector<SceneRecord> measureScenes(const SceneSource& source, std::uint64_t first, std::uint64_t count,
                                        const MeasurementOptions& options, int threads,
                                        const std::function<void()>& done = nullptr);

@@ -27,12 +27,14 @@ struct TrueBox {
 
   geometry::Rectangle footprint() const { return {top_center.head<2>(), yaw_rad, size.head<2>()}; }
 
-  /// Whether a detector must find it: the whole top is within the image, at least kLeastVisible of it is seen,
-  /// and at least kLeastMeasured carries data. A box that need not be found is neither missed nor invented.
+  /// Whether a detector must find it: the whole top is within the image, at least kLeastVisible of it is
+  /// seen, and at least kLeastMeasured carries data. A box that need not be found is neither missed nor
+  /// invented.
   bool counts() const;
 };
 
-/// The hardest tops of the hidden recipes show 40 %; a third leaves room for what the projector does not light.
+/// The hardest tops of the hidden recipes show 40 %; a third leaves room for what the projector does not
+/// light.
 constexpr double kLeastVisible = 0.35;
 constexpr double kLeastMeasured = 0.25;
 
@@ -46,7 +48,8 @@ std::vector<TrueBox> trueBoxes(const simulation::Scene& scene, const simulation:
 Eigen::Vector2d projectedPoint(const simulation::Scene& scene, const geometry::Pose& base_from_camera,
                                const Eigen::Vector3d& point);
 
-/// Corners of a level rectangle at `height_m` of the base frame as the scene's camera sees them (column, row).
+/// Corners of a level rectangle at `height_m` of the base frame as the scene's camera sees them (column,
+/// row).
 std::array<Eigen::Vector2d, 4> projectedCorners(const simulation::Scene& scene,
                                                 const geometry::Pose& base_from_camera,
                                                 const geometry::Rectangle& rectangle, double height_m);
