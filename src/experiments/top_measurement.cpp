@@ -79,7 +79,10 @@ std::vector<TopRecord> measureTops(const SceneSource& source, std::uint64_t inde
         [&](const TrueBox& a, const TrueBox& b) { return distanceTo(a, study) < distanceTo(b, study); });
     if (nearest == truth.end() || !nearest->counts()) continue;
     if (distanceTo(*nearest, study) > 0.5 * nearest->size.y()) continue;
-    TopRecord record{index, *nearest, study, {}, {}};
+    TopRecord record;
+    record.scene = index;
+    record.truth = *nearest;
+    record.study = study;
     record.center_px = projectedPoint(scene, base_from_camera, nearest->top_center);
     record.centroid_px = record.center_px;
     if (!study.variants.empty()) {
