@@ -2,7 +2,7 @@
 //   sensor_noise      how far thresholds must be raised for this sensor
 //   cell_grid         one pass over the cloud: blocks of pixels with their mean height above the floor
 //   level_pieces      cells that go on into each other without a step
-//   edge_walks        where each piece ends, to a fraction of a pixel, and what lies beyond
+//   edge_walks, surface_walk   where each piece ends, to a fraction of a pixel, and what lies beyond
 //   top_groups        pieces that may be parts of one top
 //   outline_lines,    the directions and lines of a group's outline, seams across it, and the fewest rectangles
 //   seam_search,      that explain what was seen
