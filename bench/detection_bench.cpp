@@ -1,9 +1,6 @@
-// Times and memory of the detection beside the plain reading of the same cloud, PCL's conversion, PCL's clusters, and a
+// Times of the detection beside the plain reading of the same cloud, PCL's conversion, PCL's clusters, and a
 // literal rendering of the source thesis with PCL.
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 
 #include <benchmark/benchmark.h>
 #include <pcl_conversions/pcl_conversions.h>
@@ -16,39 +13,8 @@
 
 #include "pcl_thesis.hpp"
 
-namespace {
-
-/// Bytes of the heap in use, and the most since the last reset: every `new` of this program is counted.
-struct Heap {
-  static inline std::size_t used = 0;
-  static inline std::size_t peak = 0;
-};
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  auto* block = static_cast<std::size_t*>(std::malloc(size + alignof(std::max_align_t)));
-  if (block == nullptr) throw std::bad_alloc();
-  *block = size;
-  Heap::used += size;
-  Heap::peak = std::max(Heap::peak, Heap::used);
-  return reinterpret_cast<unsigned char*>(block) + alignof(std::max_align_t);
-}
-
-void operator delete(void* pointer) noexcept {
-  if (pointer == nullptr) return;
-  auto* block =
-      reinterpret_cast<std::size_t*>(static_cast<unsigned char*>(pointer) - alignof(std::max_align_t));
-  Heap::used -= *block;
-  std::free(block);
-}
-
-void operator delete(void* pointer, std::size_t) noexcept { operator delete(pointer); }
-
 namespace mixed_palletizing {
 namespace {
-
-constexpr double kMegabyte = 1e6;
 
 /// One 1920 x 1200 capture of four separated boxes, as the driver's message.
 struct Setup {
@@ -131,8 +97,6 @@ BENCHMARK(pclThesis)->Unit(benchmark::kMillisecond);
 void detect(benchmark::State& state, detection::Method method) {
   detection::DetectionOptions options;
   options.method = method;
-  const std::size_t before = Heap::used;
-  Heap::peak = before;
   detection::BoxDetector detector(options);
   detection::Detections last;
   for (auto _ : state) {
@@ -140,8 +104,6 @@ void detect(benchmark::State& state, detection::Method method) {
     benchmark::DoNotOptimize(last.boxes.data());
   }
   state.counters["boxes"] = static_cast<double>(last.boxes.size());
-  state.counters["peak_MB"] = static_cast<double>(Heap::peak - before) / kMegabyte;
-  state.counters["message_MB"] = static_cast<double>(setup().message->data.size()) / kMegabyte;
   for (const detection::StageTime& time : last.stage_times) state.counters[time.stage] = time.milliseconds;
 }
 BENCHMARK_CAPTURE(detect, best, detection::Method::kBest)->Unit(benchmark::kMillisecond);

@@ -42,7 +42,7 @@ class PclThesis {
     using Comparator = pcl::EuclideanClusterComparator<Point, pcl::Label>;
     Comparator::Ptr comparator(new Comparator);
     typename Comparator::ExcludeLabelSetPtr excluded(new Comparator::ExcludeLabelSet);
-    excluded->insert(0);
+    excluded->insert(1);  // in spite of its name, PCL joins the points whose labels are in it
     comparator->setInputCloud(cloud_);
     comparator->setLabels(labels);
     comparator->setExcludeLabels(excluded);
