@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "height.hpp"
+#include "refusal_text.hpp"
 #include "top_surface.hpp"
 #include "top_visibility.hpp"
 #include "uncertainty.hpp"
@@ -14,14 +14,6 @@ namespace {
 
 constexpr double kSeenShare = 0.01;  // of the outline: what less of it says is noise
 constexpr std::size_t kMinTopPoints = 30;
-
-/// printf into a string: texts of refusals.
-template <typename... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[160];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
 
 }  // namespace
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "rectangle_sides.hpp"
+#include "refusal_text.hpp"
 #include "uncertainty.hpp"
 
 namespace mixed_palletizing::detection {
@@ -18,13 +18,6 @@ constexpr double kContactStddev = 0.0006;    // [m] of a side known by a neighbo
 constexpr std::size_t kIncompleteShare = 4;  // times the smallest cluster: points of a top with missing sides
 constexpr double kAboveTop = 0.02;           // [m] points so far above a level top still belong to the box
 constexpr double kOnSide = 0.003;            // [m]
-
-template <typename... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[160];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
 
 OutlineShares outlineOf(const TopGroup& group, const geometry::Rectangle& r, double tolerance) {
   OutlineShares outline;

@@ -21,6 +21,7 @@
 #include "hidden_sides.hpp"
 #include "level_box.hpp"
 #include "level_stages.hpp"
+#include "refusal_text.hpp"
 #include "seam_search.hpp"
 #include "stage_clock.hpp"
 #include "top_groups.hpp"
@@ -124,7 +125,7 @@ class LevelPipeline : public DetectionPipeline {
     const std::vector<CoverBox>& boxes = cover_.find(group, axes, lines, seams, raster_, cover);
     clock.done("cover");
     if (boxes.empty()) {
-      refuse(group, {RejectReason::kNotRectangular, "no rectangle explains the outline of the top"});
+      refuse(group, withoutCover(raster_.bounds().size()));
     }
     for (const CoverBox& box : boxes) {
       const auto outcome = fitTop(context, group, axes, raster_, box);
@@ -135,6 +136,19 @@ class LevelPipeline : public DetectionPipeline {
       }
     }
     clock.done("boxes");
+  }
+
+  /// Why no rectangle was found for a top with these bounds.
+  Refusal withoutCover(const Eigen::Vector2d& size) const {
+    const BoxOptions& limits = options_.box;
+    const std::string bounds = text("the top is %.3f x %.3f m", size.maxCoeff(), size.minCoeff());
+    if (size.minCoeff() < limits.min_side_m) {
+      return {RejectReason::kTooSmall, bounds + text(", a side is less than %.3f m", limits.min_side_m)};
+    }
+    if (size.maxCoeff() > limits.max_side_m) {
+      return {RejectReason::kTooLarge, bounds + text(", a side is more than %.3f m", limits.max_side_m)};
+    }
+    return {RejectReason::kNotRectangular, bounds + text(", no rectangle explains its outline")};
   }
 
   /// The reason stays with the blob that the group's largest piece lies in.

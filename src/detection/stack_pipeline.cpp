@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "lens_rays.hpp"
+#include "refusal_text.hpp"
 #include "stack_height.hpp"
 #include "stage_clock.hpp"
 #include "top_picture.hpp"
@@ -42,13 +42,6 @@ double medianDepth(const BaseCloud& cloud) {
   const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
   std::nth_element(depths.begin(), middle, depths.end());
   return *middle;
-}
-
-template <typename... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[160];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
 }
 
 /// True when a corner of a level rectangle is seen at the border of the image or beyond.

@@ -19,6 +19,7 @@ Scene emptyScene(std::uint64_t seed) {
   auto recipe = test::sceneRecipe(0.0001, 960, 600);
   recipe.groups.clear();
   recipe.view.tilt_rad.max = 0.6;
+  recipe.view.target_offset_m.max = 0.02;  // the markers painted around it stay in the image
   recipe.scene.marker.side_m = 0.12;
   return simulation::recipeScene(recipe, seed, 0);
 }
