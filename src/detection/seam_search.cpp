@@ -17,8 +17,13 @@ constexpr double kColorSigmas = 4.0;
 constexpr double kLeastDip = 0.00015;  // [m] mean along the seam
 constexpr double kUnevenDip = 0.001;   // [m] the same on an uneven surface
 constexpr double kDipSigmas = 7.0;
+constexpr int kParts = 4;              // of a seam: a dent dips in one of them only
+constexpr double kPartShare = 0.3;     // of the mean dip that every part must show, less its noise
 constexpr double kColorShare = 0.8;    // of a seam's lines that must show the step
 constexpr double kInsideShare = 0.75;  // of a stretch's lines that have surface on both sides
+constexpr double kEndFrom = 0.004;     // [m] behind the end of a change of colour ...
+constexpr double kEndTo = 0.010;       // ... and up to here there is no surface
+constexpr double kEndAtSeam = 0.003;   // [m] or a seam runs across this near
 constexpr double kFar = 0.02;          // [m] to both sides of a seam there must be surface
 constexpr int kFarSamples = 5;
 constexpr double kShortest = 0.015;  // [m]
@@ -106,6 +111,24 @@ bool SeamSearch::wide(int line, int i) const {
   return true;
 }
 
+/// Whether a change of colour ends there as boxes do: at the end of the surface, or at a seam across. Prints end in
+/// between.
+bool SeamSearch::endsAt(double along_m, int sign, int i, int axis) const {
+  for (const Seam& seam : seams_) {
+    if (seam.axis != axis && std::abs(seam.at_m - along_m) < kEndAtSeam) return true;
+  }
+  int tops = 0;
+  int all = 0;
+  for (double off = kEndFrom; off <= kEndTo; off += line_step_m_) {
+    const int line = static_cast<int>(std::lround((along_m + sign * off - line_from_m_) / line_step_m_));
+    for (const int at : {i - kNear - kWindow, i + kNear + kWindow}) {
+      ++all;
+      if (line >= 0 && line < lines_ && at >= 0 && at < count_ && spot(line, at).top) ++tops;
+    }
+  }
+  return 2 * tops <= all;
+}
+
 void SeamSearch::rate(int line, double color_step) {
   for (int i = kNear + kWindow; i + kNear + kWindow < count_; ++i) {
     std::array<float, 2> off{};
@@ -153,6 +176,8 @@ void SeamSearch::findAcross(int axis, double noise_m, double least_dip, const st
       int inside = 0;
       int steps = 0;
       double dip = 0.0;
+      std::array<double, kParts> part_dip{};
+      std::array<int, kParts> part_inside{};
       for (int line = first; line <= last; ++line) {
         const auto at =
             static_cast<std::size_t>(line) * static_cast<std::size_t>(count_) + static_cast<std::size_t>(i);
@@ -160,12 +185,23 @@ void SeamSearch::findAcross(int axis, double noise_m, double least_dip, const st
         ++inside;
         steps += steps_[at];
         dip += static_cast<double>(dips_[at]);
+        const auto part = static_cast<std::size_t>(kParts * (line - first) / (last - first + 1));
+        ++part_inside[part];
+        part_dip[part] += static_cast<double>(dips_[at]);
       }
       if (inside < kInsideShare * (last - first + 1)) continue;
       dip /= inside;
       const double least = std::max(least_dip, kDipSigmas * noise_m / std::sqrt(2.0 * inside));
-      const double by_dip = dip / least;
-      const double by_color = static_cast<double>(steps) / (kColorShare * inside);
+      bool everywhere = true;
+      for (std::size_t part = 0; part < kParts; ++part) {
+        const double n = part_inside[part];
+        everywhere = everywhere &&
+                     (n == 0 || part_dip[part] / n > kPartShare * dip - 2.0 * noise_m / std::sqrt(2.0 * n));
+      }
+      const double by_dip = everywhere ? dip / least : 0.0;
+      double by_color = static_cast<double>(steps) / (kColorShare * inside);
+      if (by_color > 1.0 && !(endsAt(breaks[b], -1, i, axis) && endsAt(breaks[b + 1], 1, i, axis)))
+        by_color = 0.0;
       const double strength = std::max(by_dip, by_color);
       if (strength > 1.0) peaks.push_back({strength + 0.01 * by_dip, i});
     }

@@ -30,6 +30,7 @@ class SeamSearch {
               const LocalBox& bounds, int axis);
   void findAcross(int axis, double noise_m, double least_dip, const std::vector<double>& breaks);
   bool wide(int line, int i) const;
+  bool endsAt(double along_m, int sign, int i, int axis) const;
   void rate(int line, double color_step);
   const Spot& spot(int line, int i) const {
     return spots_[static_cast<std::size_t>(line) * static_cast<std::size_t>(count_) +
