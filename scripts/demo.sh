@@ -11,7 +11,7 @@ usage: scripts/demo.sh [options]
   --report FILE         JSON report of the pallet (default: demo.json in the workspace)
   --height_mm H         height of the order's packing volume: 600 (default), 800, 1200, ...
   --seed N              which order, and where the boxes lie (default: 1)
-  --method dblf|ga      how the planner chooses (default: ga)
+  --method M            how the planner chooses: best (default), ga, dblf
 EOF
 }
 
