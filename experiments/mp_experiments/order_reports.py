@@ -78,6 +78,22 @@ def packing(tools, measurer, options, out):
     return result
 
 
+def _rules(page, orders, count, budget_ms):
+    """Fig. 4.26: the placement rules of the thesis in its own planner."""
+    page.heading('The placement rule (Fig. 4.26)')
+    page.text(f'The thesis\' planner with either rule, orders of {packing_numbers.HEIGHTS_MM[0]} mm.')
+    path = orders.generate(packing_numbers.HEIGHTS_MM[0], count)
+    rows, series = [], []
+    for (rule, printed), colour in zip(packing_numbers.PERFECT_BY_RULE.items(), (plots.THEIRS, plots.OURS)):
+        results = orders.plan(path, 'ga', budget_ms, rule)
+        rows.append(Row([rule, f'printed, of {packing_numbers.ORDERS}', printed, '', '', '', '', ''], 'group'))
+        rows.append(['', f'measured, of {count}', *_summary_cells(results)])
+        series.append((rule, unpacked_counts(results), colour))
+    page.table(['rule', '', *SUMMARY_HEADERS], rows)
+    page.figure(plots.count_bars([(f'{packing_numbers.HEIGHTS_MM[0]} mm', series)], 'boxes left'),
+                'Orders by the boxes that are left, as in Fig. 4.26.')
+
+
 def planning(tools, measurer, options, out):
     count = _settings(options)
     budget_ms = QUICK_BUDGET_MS if options.quick else BUDGET_MS
@@ -108,6 +124,7 @@ def planning(tools, measurer, options, out):
     page.figure(plots.count_bars(panels, 'boxes left'), 'Orders by the boxes that are left, as in Fig. 4.28.')
     for path, results, title in shown:
         _gallery(page, path, results, title)
+    _rules(page, orders, count, budget_ms)
     add_commands(page, tools)
     result = out / 'planning.html'
     result.write_text(page.render(), encoding='utf-8')

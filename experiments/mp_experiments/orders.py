@@ -18,11 +18,11 @@ class Orders:
     def pack(self, orders, method, time_limit_s):
         return self._solve('pack', orders, method, ['--time_limit_s', time_limit_s])
 
-    def plan(self, orders, method, budget_ms):
-        return self._solve('plan_picks', orders, method, ['--budget_ms', budget_ms])
+    def plan(self, orders, method, budget_ms, rule='dblf'):
+        return self._solve('plan_picks', orders, method, ['--budget_ms', budget_ms, '--rule', rule], f'_{rule}')
 
-    def _solve(self, tool, orders, method, limits):
-        path = self.folder / f'{tool}_{method}_{orders.stem}.jsonl'
+    def _solve(self, tool, orders, method, limits, suffix=''):
+        path = self.folder / f'{tool}_{method}{suffix}_{orders.stem}.jsonl'
         common = ['--method', method, '--seed', self.seed, *limits]
         self.tools.run(tool, ['--instances', orders, *common, '--out', path],
                        ['--instances', orders.name, *common, '--out', path.name])

@@ -8,3 +8,5 @@ ROBOTIC_LEFT = {600: 0.75, 800: 1.14, 1200: 2.36}
 SEARCH_PERFECT = {600: 0.92, 800: 0.88, 1200: 0.92}
 ORDERS = 200
 HEIGHTS_MM = (600, 800, 1200)
+# Fig. 4.26 and the text below it, 600 mm: orders of 200 that the choice by future costs packs perfectly, by placement rule.
+PERFECT_BY_RULE = {'distance': 50, 'dblf': 100}

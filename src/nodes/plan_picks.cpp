@@ -13,6 +13,7 @@
 #include <mixed_palletizing/planning/play_arrivals.hpp>
 
 namespace instances = mixed_palletizing::instances;
+namespace packing = mixed_palletizing::packing;
 namespace planning = mixed_palletizing::planning;
 
 namespace {
@@ -42,7 +43,7 @@ instances::PackingResult toResult(const instances::Instance& instance, const pla
 int main(int argc, char** argv) {
   planning::PlayOptions options;
   mixed_palletizing::adapters::OrderFileOptions orders;
-  std::string out, policy, method = "best", knowledge = "set";
+  std::string out, policy, method = "best", rule = "dblf", knowledge = "set";
   int threads = 1;
   bool keep_going = false, progress = false;
   mixed_palletizing::adapters::CommandLine line("plan_picks",
@@ -50,6 +51,7 @@ int main(int argc, char** argv) {
   orders.declare(line);
   line.required("out", &out, "results, one JSON object a line");
   line.choice("method", &method, {"dblf", "ga", "best"}, "of planning");
+  line.choice("rule", &rule, {"dblf", "distance"}, "ga and dblf: where a box is put");
   line.choice("knowledge", &knowledge, {"set", "types"},
               "of the items to come: how many of each type, or types");
   line.option("budget_ms", &options.budget_ms,
@@ -64,6 +66,7 @@ int main(int argc, char** argv) {
   line.flag("progress", &progress, "show progress although stderr is no terminal");
   return line.run(argc, argv, [&] {
     options.planner.method = *planning::planMethodFromString(method);
+    options.planner.genetic.rule = *packing::placementRuleFromString(rule);
     if (knowledge == "types") options.knowledge = planning::Knowledge::kTypes;
     if (!policy.empty()) options.planner.best.weights = planning::readPolicyWeights(policy);
     if (threads < 1) throw std::invalid_argument("threads: " + std::to_string(threads) + ": at least 1");
