@@ -18,6 +18,7 @@
 #include <mixed_palletizing/packing/genetic_search.hpp>
 #include <mixed_palletizing/packing/random.hpp>
 
+#include "crossover.hpp"
 #include "messages.hpp"
 #include "sequence_packer.hpp"
 
@@ -25,32 +26,10 @@ namespace mixed_palletizing::packing {
 
 namespace {
 
-using Genes = std::vector<int>;
-
 struct Chromosome {
   Genes genes;
   double fitness = 0.0;
 };
-
-/// Copies genes of `a` between two cuts; the rest comes from `b`, circularly from the second cut on
-/// (Fig. 3.19).
-Genes crossover(const Genes& a, const Genes& b, std::size_t first, std::size_t last) {
-  const std::size_t n = a.size();
-  Genes child(n, -1);
-  std::vector<bool> taken(n, false);
-  for (std::size_t i = first; i < last; ++i) {
-    child[i] = a[i];
-    taken[static_cast<std::size_t>(a[i])] = true;
-  }
-  std::size_t to = last % n;
-  for (std::size_t k = 0; k < n; ++k) {
-    const int gene = b[(last + k) % n];
-    if (taken[static_cast<std::size_t>(gene)]) continue;
-    child[to] = gene;
-    to = (to + 1) % n;
-  }
-  return child;
-}
 
 class GeneticSearch {
  public:

@@ -35,20 +35,28 @@ class ToolFixture : public ::testing::Test {
     return text.str();
   }
 
-  /// Runs the tool in a shell; its exit code, -1 after a signal. What it prints is in out.txt and err.txt.
-  int run(const std::string& arguments) const {
-    const std::string command = tool_ + " " + arguments + " > " + path("out.txt") + " 2> " + path("err.txt");
+  void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
+
+  /// Runs a tool in a shell; its exit code, -1 after a signal. What it prints is in out.txt and err.txt.
+  int runTool(const std::string& tool, const std::string& arguments) const {
+    const std::string command =
+        tool + " " + arguments + " > " + path("out.txt") + " 2> " + path("err.txt") + " < /dev/null";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
+  int run(const std::string& arguments) const { return runTool(tool_, arguments); }
 
   /// The tool fails with one line on stderr that holds `words`.
-  void expectOneClearLine(const std::string& arguments, const std::string& words) const {
-    SCOPED_TRACE(arguments);
-    EXPECT_GT(run(arguments), 0);
+  void expectOneClearLine(const std::string& tool, const std::string& arguments,
+                          const std::string& words) const {
+    SCOPED_TRACE(tool + " " + arguments);
+    EXPECT_GT(runTool(tool, arguments), 0);
     const std::string error = read("err.txt");
     EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
     EXPECT_NE(error.find(words), std::string::npos) << error;
+  }
+  void expectOneClearLine(const std::string& arguments, const std::string& words) const {
+    expectOneClearLine(tool_, arguments, words);
   }
 
  private:

@@ -1,62 +1,24 @@
 // The tools generate_instances, pack, plan_picks and check_packing, run as a user runs them.
-#include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
-#include <unistd.h>
+
+#include "tool_fixture.hpp"
 
 namespace {
 
-class OrderTools : public ::testing::Test {
+class OrderTools : public mixed_palletizing::test::ToolFixture {
  protected:
-  void SetUp() override {
-    folder_ =
-        std::filesystem::temp_directory_path() / ("mixed_palletizing_orders_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  OrderTools() : ToolFixture(GENERATE_INSTANCES_TOOL) {}
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  std::string read(const std::string& name) const {
-    std::ifstream file(path(name), std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
-
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
-
-  /// Exit code of a tool; its output lands in the files out.txt and err.txt.
-  int run(const std::string& tool, const std::string& arguments) const {
-    const std::string command =
-        tool + " " + arguments + " > " + path("out.txt") + " 2> " + path("err.txt") + " < /dev/null";
-    const int status = std::system(command.c_str());
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
-  int generate(const std::string& arguments) const { return run(GENERATE_INSTANCES_TOOL, arguments); }
-  int plan(const std::string& arguments) const { return run(PLAN_PICKS_TOOL, arguments); }
+  int generate(const std::string& arguments) const { return run(arguments); }
+  int plan(const std::string& arguments) const { return runTool(PLAN_PICKS_TOOL, arguments); }
   int check(const std::string& orders, const std::string& results) const {
-    return run(CHECK_PACKING_TOOL, "--instances " + path(orders) + " --results " + path(results));
+    return runTool(CHECK_PACKING_TOOL, "--instances " + path(orders) + " --results " + path(results));
   }
-
-  void expectOneClearLine(const std::string& tool, const std::string& arguments,
-                          const std::string& words) const {
-    SCOPED_TRACE(tool + " " + arguments);
-    EXPECT_GT(run(tool, arguments), 0);
-    const std::string error = read("err.txt");
-    EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
-    EXPECT_NE(error.find(words), std::string::npos) << error;
-  }
-
- private:
-  std::filesystem::path folder_;
 };
 
 std::vector<nlohmann::json> lines(const std::string& text) {
@@ -116,13 +78,14 @@ TEST_F(OrderTools, AnOrderTableIsPackedOnSeveralPallets) {
         "7,c,9,600,400,300,9\n");
   const std::string csv = "--instances " + path("o.csv") + " --format csv --pallet_mm 1200 800 600";
   for (const std::string method : {"dblf", "distance", "ga", "best"}) {
-    ASSERT_EQ(run(PACK_TOOL, csv + " --time_limit_s 0.4 --method " + method + " --out " + path("r.jsonl")), 0)
+    ASSERT_EQ(
+        runTool(PACK_TOOL, csv + " --time_limit_s 0.4 --method " + method + " --out " + path("r.jsonl")), 0)
         << read("err.txt");
     EXPECT_EQ(read("out.txt").find("orders 2  packed completely 2  pallets "), 0U) << read("out.txt");
-    EXPECT_EQ(run(CHECK_PACKING_TOOL, csv + " --results " + path("r.jsonl")), 0) << read("out.txt");
+    EXPECT_EQ(runTool(CHECK_PACKING_TOOL, csv + " --results " + path("r.jsonl")), 0) << read("out.txt");
   }
-  EXPECT_EQ(run(PLAN_PICKS_TOOL, csv + " --method dblf --out " + path("p.jsonl")), 0) << read("err.txt");
-  EXPECT_EQ(run(CHECK_PACKING_TOOL, csv + " --results " + path("p.jsonl")), 0) << read("out.txt");
+  EXPECT_EQ(runTool(PLAN_PICKS_TOOL, csv + " --method dblf --out " + path("p.jsonl")), 0) << read("err.txt");
+  EXPECT_EQ(runTool(CHECK_PACKING_TOOL, csv + " --results " + path("p.jsonl")), 0) << read("out.txt");
   expectOneClearLine(PACK_TOOL, csv + " --time_limit_s 0 --out " + path("r.jsonl"), "max_evaluations");
   expectOneClearLine(PACK_TOOL, csv + " --max_pallets -1 --out " + path("r.jsonl"), "max_pallets");
   expectOneClearLine(PACK_TOOL, "--instances " + path("o.csv") + " --rotations any --out " + path("r.jsonl"),
@@ -130,9 +93,9 @@ TEST_F(OrderTools, AnOrderTableIsPackedOnSeveralPallets) {
   const std::string rules = csv + " --min_support_ratio 0.7 --overhang_mm 20 --gap_mm 5 --max_weight_kg 90";
   for (const std::string more :
        {" --method dblf", " --method best --time_limit_s 0.3", " --method dblf --spaces empty"}) {
-    ASSERT_EQ(run(PACK_TOOL, rules + more + " --out " + path("r.jsonl")), 0) << read("err.txt");
-    EXPECT_EQ(run(CHECK_PACKING_TOOL, rules + " --results " + path("r.jsonl")), 0) << read("out.txt");
-    EXPECT_EQ(run(CHECK_PACKING_TOOL, csv + " --results " + path("r.jsonl")), 1) << "rules were used";
+    ASSERT_EQ(runTool(PACK_TOOL, rules + more + " --out " + path("r.jsonl")), 0) << read("err.txt");
+    EXPECT_EQ(runTool(CHECK_PACKING_TOOL, rules + " --results " + path("r.jsonl")), 0) << read("out.txt");
+    EXPECT_EQ(runTool(CHECK_PACKING_TOOL, csv + " --results " + path("r.jsonl")), 1) << "rules were used";
   }
   expectOneClearLine(PACK_TOOL, csv + " --overhang_mm 20 --out " + path("r.jsonl"),
                      "contradicts min_support_ratio 1");
@@ -150,8 +113,9 @@ TEST_F(OrderTools, FurtherKindsOfOrdersAreGenerated) {
         "--structure columns --continuous_heights --rotations yaw", "--continuous_heights"}) {
     ASSERT_EQ(generate("--height_mm 600 --count 3 --seed 5 --out " + path("i.jsonl") + " " + kind), 0)
         << read("err.txt");
-    ASSERT_EQ(run(PACK_TOOL, "--method contact --instances " + path("i.jsonl") + " --out " + path("r.jsonl")),
-              0);
+    ASSERT_EQ(
+        runTool(PACK_TOOL, "--method contact --instances " + path("i.jsonl") + " --out " + path("r.jsonl")),
+        0);
     EXPECT_EQ(check("i.jsonl", "r.jsonl"), 0) << read("out.txt");
   }
   const std::string out = "--height_mm 600 --out " + path("i.jsonl");
@@ -194,7 +158,7 @@ TEST_F(OrderTools, BadInputIsOneClearLine) {
 
 TEST_F(OrderTools, Help) {
   for (const std::string tool : {GENERATE_INSTANCES_TOOL, PACK_TOOL, PLAN_PICKS_TOOL, CHECK_PACKING_TOOL}) {
-    EXPECT_EQ(run(tool, "--help"), 0);
+    EXPECT_EQ(runTool(tool, "--help"), 0);
     EXPECT_NE(read("out.txt").find("--"), std::string::npos);
   }
 }

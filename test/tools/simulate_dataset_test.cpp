@@ -1,16 +1,14 @@
 // The tool simulate_dataset, run as a user runs it, and what the detector makes of its files.
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <sstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
-#include <unistd.h>
+
+#include "tool_fixture.hpp"
 
 namespace {
 
@@ -22,73 +20,40 @@ const char* const kSmall =
     "noise: {depth_stddev_at_1m_m: 0.0002, no_data_on_black: true, flying_pixel_ratio: 0.3}\n"
     "groups: [{count: [1, 3], top_visibility: 1}]\n";
 
-class SimulateDataset : public ::testing::Test {
+class SimulateDataset : public mixed_palletizing::test::ToolFixture {
  protected:
-  void SetUp() override {
-    folder_ =
-        fs::temp_directory_path() / ("mixed_palletizing_simulate_dataset_" + std::to_string(::getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    std::ofstream(path("r.yaml")) << kSmall;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  SimulateDataset() : ToolFixture(SIMULATE_DATASET_TOOL) { write("r.yaml", kSmall); }
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  static std::string textOf(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
-
-  /// Exit code of a command; its output lands in the files out.txt and err.txt.
-  int run(const std::string& command) const {
-    const int status = std::system((command + " > " + path("out.txt") + " 2> " + path("err.txt")).c_str());
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
   int simulate(const std::string& arguments) const {
-    return run(std::string(SIMULATE_DATASET_TOOL) + " --recipe " + path("r.yaml") + " " + arguments);
-  }
-
-  void expectOneClearLine(const std::string& arguments, const std::string& words) const {
-    SCOPED_TRACE(arguments);
-    EXPECT_GT(run(std::string(SIMULATE_DATASET_TOOL) + " " + arguments), 0);
-    const std::string error = textOf(path("err.txt"));
-    EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
-    EXPECT_NE(error.find(words), std::string::npos) << error;
+    return run("--recipe " + path("r.yaml") + " " + arguments);
   }
 
   std::map<std::string, std::string> contents(const std::string& name) const {
     std::map<std::string, std::string> files;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path(name))) {
       if (entry.is_regular_file())
-        files[fs::relative(entry.path(), path(name)).string()] = textOf(entry.path());
+        files[fs::relative(entry.path(), path(name)).string()] = read(entry.path().string());
     }
     return files;
   }
 
   /// Boxes that the detector finds.
   json detect(const std::string& arguments) const {
-    EXPECT_EQ(run(std::string(DETECT_BOXES_TOOL) + " " + arguments + " --json " + path("d.json")), 0)
-        << textOf(path("err.txt"));
-    const json found = json::parse(textOf(path("d.json")), nullptr, false);
+    EXPECT_EQ(runTool(DETECT_BOXES_TOOL, arguments + " --json " + path("d.json")), 0) << read("err.txt");
+    const json found = json::parse(read("d.json"), nullptr, false);
     return found.is_object() ? found.at("boxes") : json();
   }
-
- private:
-  fs::path folder_;
 };
 
 TEST_F(SimulateDataset, KilledAnywhereItGoesOnWhereItWas) {
   const std::string common = "--count 8 --seed 3 --threads 2 --out ";
-  ASSERT_EQ(simulate(common + path("whole")), 0) << textOf(path("err.txt"));
-  EXPECT_NE(textOf(path("out.txt")).find("8 scenes, 8 of them written now"), std::string::npos);
+  ASSERT_EQ(simulate(common + path("whole")), 0) << read("err.txt");
+  EXPECT_NE(read("out.txt").find("8 scenes, 8 of them written now"), std::string::npos);
   for (const std::string delay : {"0.05", "0.15", "0.3"}) {
-    run("timeout -s KILL " + delay + " " + SIMULATE_DATASET_TOOL + " --recipe " + path("r.yaml") + " " +
-        common + path("killed"));
-    ASSERT_EQ(simulate(common + path("killed") + " --quiet"), 0) << textOf(path("err.txt"));
-    EXPECT_EQ(textOf(path("out.txt")), "");
+    runTool("timeout -s KILL " + delay + " " + SIMULATE_DATASET_TOOL,
+            "--recipe " + path("r.yaml") + " " + common + path("killed"));
+    ASSERT_EQ(simulate(common + path("killed") + " --quiet"), 0) << read("err.txt");
+    EXPECT_EQ(read("out.txt"), "");
     EXPECT_TRUE(contents("whole") == contents("killed")) << "killed after " << delay << " s";
     fs::remove_all(path("killed"));
   }
@@ -99,8 +64,8 @@ TEST_F(SimulateDataset, TheDetectorReadsEveryLayout) {
     SCOPED_TRACE(layout);
     const std::string out = path(layout);
     ASSERT_EQ(simulate("--count 1 --seed 4 --bag --cloud ply --layout " + layout + " --out " + out), 0)
-        << textOf(path("err.txt"));
-    const json truth = json::parse(textOf(out + "/000000/truth.json")).at("boxes");
+        << read("err.txt");
+    const json truth = json::parse(read(out + "/000000/truth.json")).at("boxes");
     const json from_file = detect("--cloud " + out + "/000000/cloud.ply");
     const json from_bag = detect("--bag " + out + "/000000/capture.bag --topic /zivid_camera/points/xyzrgba");
     EXPECT_EQ(from_file, from_bag);
@@ -133,7 +98,7 @@ TEST_F(SimulateDataset, BadInputIsOneClearLine) {
                      "bad.yaml:2: view.distance: is no");
   ASSERT_EQ(simulate("--count 1 --seed 1 " + out), 0);
   expectOneClearLine(recipe + out + "--count 2 --seed 2", "a data set of another seed (1, not 2)");
-  EXPECT_EQ(run(std::string(SIMULATE_DATASET_TOOL) + " --help"), 0);
+  EXPECT_EQ(run("--help"), 0);
 }
 
 }  // namespace

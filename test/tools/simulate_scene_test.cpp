@@ -1,57 +1,21 @@
 // The tool simulate_scene, run as a user runs it.
-#include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <mixed_palletizing/adapters/cloud_files.hpp>
 
+#include "tool_fixture.hpp"
+
 namespace {
 
-class SimulateScene : public ::testing::Test {
+class SimulateScene : public mixed_palletizing::test::ToolFixture {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("mixed_palletizing_simulate_scene_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  std::string read(const std::string& name) const {
-    std::ifstream file(path(name), std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
-
-  /// Exit code of the tool; its output lands in the files out.txt and err.txt.
-  int run(const std::string& arguments) const {
-    const std::string command = std::string(SIMULATE_SCENE_TOOL) + " " + arguments + " > " + path("out.txt") +
-                                " 2> " + path("err.txt");
-    const int status = std::system(command.c_str());
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
-  void expectOneClearLine(const std::string& arguments, const std::string& words) const {
-    SCOPED_TRACE(arguments);
-    EXPECT_GT(run(arguments), 0);
-    const std::string error = read("err.txt");
-    EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
-    EXPECT_NE(error.find(words), std::string::npos) << error;
-  }
+  SimulateScene() : ToolFixture(SIMULATE_SCENE_TOOL) {}
 
   const std::string scene_ = MIXED_PALLETIZING_SOURCE_DIR "/config/scenes/three_boxes.yaml";
-
- private:
-  std::filesystem::path folder_;
 };
 
 TEST_F(SimulateScene, WritesCloudTruthAndMask) {
