@@ -8,7 +8,7 @@ usage() {
 usage: scripts/demo.sh [options]
   --headless            no rviz window (also the case without a display)
   --screenshot [FILE]   picture of rviz at the end, made under Xvfb (default: demo.png in the workspace); implies --headless
-  --report FILE         JSON report of the pallet (default: demo.json in the workspace)
+  --report FILE         JSON report of the pallet, an HTML page beside it (default: demo.json in the workspace)
   --height_mm H         height of the order's packing volume: 600 (default), 800, 1200, ...
   --seed N              which order, and where the boxes lie (default: 1)
   --method M            how the planner chooses: best (default), ga, dblf
@@ -94,4 +94,6 @@ wait "$launch" || code=$?
 [ "$code" -eq 0 ] || die "the cell ended with exit code $code"
 [ -s "$report" ] || die "the order was not completed: no report was written"
 /usr/bin/python3 "$root/scripts/lib/show_report.py" "$report"
-say "report: $report${screenshot:+, picture: $screenshot}"
+page=${report%.json}.html
+/usr/bin/python3 "$root/experiments/pallet_report" "$report" --out "$page" >/dev/null
+say "report: $page, $report${screenshot:+, picture: $screenshot}"

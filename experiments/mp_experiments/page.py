@@ -16,6 +16,9 @@ td.good { color: #17692c; font-weight: 600; } td.bad { color: #b3261e; font-weig
 figure { margin: 1em 0; } figure img { max-width: 100%; } figcaption { color: #555; font-size: .92em; }
 .gallery { display: flex; flex-wrap: wrap; gap: 1em; } .gallery figure { flex: 1 1 480px; max-width: 570px; margin: 0; }
 pre { background: #f6f6f4; padding: .7em; overflow-x: auto; font-size: .85em; } .facts td { text-align: left; }
+.layers { display: flex; flex-wrap: wrap; gap: .8em; } .layers figure { margin: 0; } svg { max-width: 100%; }
+svg text { fill: #222; } .tint { display: inline-block; width: .9em; height: .9em; border: 1px solid #555; } td.words {
+  text-align: left; } input[type=range] { width: 24em; vertical-align: middle; }
 """
 
 
@@ -66,12 +69,16 @@ class Page:
         head = f'<thead><tr>{head}</tr></thead>' if headers else ''
         self.parts.append(f'{start}{title}{head}<tbody>\n{body}\n</tbody></table>')
 
+    def raw(self, text):
+        """HTML as it is."""
+        self.parts.append(text)
+
     def figure(self, picture, caption=''):
         self.parts.append(self._figure(picture, caption))
 
-    def gallery(self, pictures):
+    def gallery(self, pictures, kind='gallery'):
         """Pairs of picture and caption, side by side where there is room."""
-        self.parts.append('<div class="gallery">' + '\n'.join(self._figure(p, c) for p, c in pictures) + '</div>')
+        self.parts.append(f'<div class="{kind}">' + '\n'.join(self._figure(p, c) for p, c in pictures) + '</div>')
 
     def code(self, lines):
         self.parts.append('<pre>' + html.escape('\n'.join(lines)) + '</pre>')
@@ -83,6 +90,9 @@ class Page:
 
     @staticmethod
     def _figure(picture, caption):
+        """The bytes of a JPEG, PNG or SVG."""
+        if picture[:4] == b'<svg':
+            return f'<figure>{picture.decode()}<figcaption>{html.escape(caption)}</figcaption></figure>'
         kind = 'jpeg' if picture[:2] == b'\xff\xd8' else 'png'
         data = base64.b64encode(picture).decode('ascii')
         return (f'<figure><img alt="{html.escape(caption)}" src="data:image/{kind};base64,{data}">'

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """The planner is killed again and again and serves the same pallet; two planners on one journal; a damaged journal."""
+import json
 import os
 import random
 import shutil
@@ -10,12 +11,16 @@ import tempfile
 import time
 import unittest
 
+import rosgraph
 import rospy
 import rostest
 from geometry_msgs.msg import Vector3
 from mixed_palletizing.msg import OrderLine
 from mixed_palletizing.srv import (ChooseNextPick, ChooseNextPickRequest, ClosePallet, GetPalletState, ReportPick,
                                    ReportPickRequest, StartPallet, StartPalletRequest)
+from std_msgs.msg import String
+
+from cell_client import Latest
 
 SEED = 3
 RESTART_S = 2.0
@@ -95,6 +100,47 @@ class Journal(unittest.TestCase):
                                  stdout=subprocess.PIPE, universal_newlines=True, check=True, timeout=30).stdout
         self.assertIn("started 'p' with 30 items", history)
         self.assertEqual(self.call('close_pallet', ClosePallet).status, 0)
+
+    def listens(self, node, topic):
+        """Waits until a node has subscribed to a latched topic, and a little for the message."""
+        end = time.monotonic() + 30.0
+        while node not in dict(rosgraph.Master('/test').getSystemState()[1]).get(topic, []):
+            self.assertLess(time.monotonic(), end, f'{node} does not subscribe')
+            time.sleep(0.1)
+        time.sleep(1.0)
+
+    def report(self, pallet_id, end):
+        """The report that is written when `end` ends the pallet, and its page."""
+        folder = os.path.join(self.folder, 'reports')
+        node = subprocess.Popen(['rosrun', 'mixed_palletizing', 'pallet_reporter', '_folder:=' + folder])
+        try:
+            written = Latest('pallet_report', String)
+            self.listens('/pallet_reporter', '/pick_planner/pallet_state')
+            end()
+            path = written.wait_for(lambda m: os.path.basename(m.data).startswith(pallet_id + '_'), 30.0)
+            self.assertIsNotNone(path, 'no report')
+        finally:
+            node.terminate()
+            node.wait(30)
+        with open(path.data) as page, open(path.data.replace('.html', '.json')) as record:
+            return json.load(record)['pallets'][0], page.read()
+
+    def test_a_report_at_the_end(self):
+        self.begin()
+        self.start_pallet()
+        for outcome in (0, 0, 1):
+            choice = self.call('choose_next_pick', ChooseNextPick, ChooseNextPickRequest(type_ids=['a', 'b']))
+            done = self.call('report_pick', ReportPick, ReportPickRequest(decision_id=choice.decision_id, outcome=outcome))
+            self.assertEqual(done.status, 0, done.message)
+        state = self.state()
+        record, page = self.report('p', lambda: self.call('close_pallet', ClosePallet))
+        self.assertEqual([p['type'] for p in record['placements']], [p.type_id for p in state.placements])
+        self.assertAlmostEqual(record['utilization'], state.utilization)
+        for axis, value in zip('xyz', record['center_of_gravity_mm']):
+            self.assertAlmostEqual(value / 1000.0, getattr(state.center_of_gravity, axis), delta=1e-4)
+        self.assertEqual(sum(u['count'] for u in record['unpacked']), 28)
+        self.assertEqual(record['decision_ms']['count'], 3)
+        self.assertIn('thrown out at the cell', page)
 
     def test_two_planners_and_a_damaged_journal(self):
         self.begin()
