@@ -20,7 +20,13 @@ CORE_ROOMS = {
     'experiments': (('geometry', 'detection', 'packing', 'planning', 'instances', 'simulation'),
                     ('Eigen/', 'opencv2/', 'nlohmann/')),
 }
-JOINING_ROOMS = ('adapters', 'nodes')
+# The rooms that may know ROS and every core room: room: other joining rooms it may include.
+JOINING_ROOMS = {
+    'adapters': (),
+    'captures': ('adapters',),
+    'cell': ('adapters', 'captures'),
+    'nodes': ('adapters', 'captures', 'cell'),
+}
 
 STANDARD_HEADER = re.compile(r'^[a-z_0-9]+$')
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -53,7 +59,7 @@ def include_fault(room, quote, target):
             return None
         if room in CORE_ROOMS:
             return None if other in CORE_ROOMS[room][0] else f'{room} must not see {other}'
-        if other in CORE_ROOMS or (room == 'nodes' and other == 'adapters'):
+        if other in CORE_ROOMS or other in JOINING_ROOMS.get(room, ()):
             return None
         return f'{room} must not see {other}'
     if room in CORE_ROOMS and not STANDARD_HEADER.match(target):

@@ -1,7 +1,7 @@
-#include "bag_writer.hpp"
-
 #include <utility>
 #include <vector>
+
+#include <mixed_palletizing/adapters/bag_writer.hpp>
 
 namespace mixed_palletizing::adapters {
 namespace {

@@ -12,9 +12,8 @@
 
 #include <mixed_palletizing/adapters/base_frame_keeper.hpp>
 #include <mixed_palletizing/adapters/calibration_file.hpp>
+#include <mixed_palletizing/adapters/message_parts.hpp>
 #include <mixed_palletizing/adapters/static_transforms.hpp>
-
-#include "message_parts.hpp"
 
 namespace mixed_palletizing::adapters {
 namespace {

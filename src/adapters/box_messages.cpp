@@ -6,10 +6,9 @@
 #include <sensor_msgs/image_encodings.h>
 
 #include <mixed_palletizing/adapters/box_messages.hpp>
+#include <mixed_palletizing/adapters/message_parts.hpp>
 #include <mixed_palletizing/adapters/units.hpp>
 #include <mixed_palletizing/geometry/pose.hpp>
-
-#include "message_parts.hpp"
 
 namespace mixed_palletizing::adapters {
 namespace {

@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <sensor_msgs/image_encodings.h>
 
-#include "message_parts.hpp"
+#include <mixed_palletizing/adapters/message_parts.hpp>
 
 namespace mixed_palletizing::adapters {
 namespace {

@@ -5,11 +5,10 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
+#include <mixed_palletizing/adapters/bag_writer.hpp>
 #include <mixed_palletizing/adapters/cloud_bag.hpp>
 #include <mixed_palletizing/adapters/cloud_files.hpp>
 #include <mixed_palletizing/adapters/cloud_message.hpp>
-
-#include "bag_writer.hpp"
 
 namespace mixed_palletizing::adapters {
 namespace {

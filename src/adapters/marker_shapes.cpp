@@ -5,7 +5,7 @@
 
 #include <boost/make_shared.hpp>
 
-#include "message_parts.hpp"
+#include <mixed_palletizing/adapters/message_parts.hpp>
 
 namespace mixed_palletizing::adapters {
 namespace {

@@ -2,11 +2,11 @@
 #include <string>
 
 #include <mixed_palletizing/adapters/markers.hpp>
+#include <mixed_palletizing/adapters/message_parts.hpp>
 #include <mixed_palletizing/adapters/units.hpp>
 #include <mixed_palletizing/detection/detections.hpp>
 
 #include "marker_shapes.hpp"
-#include "message_parts.hpp"
 
 namespace mixed_palletizing::adapters {
 namespace {

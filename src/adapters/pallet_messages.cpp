@@ -2,10 +2,9 @@
 #include <cmath>
 #include <limits>
 
+#include <mixed_palletizing/adapters/message_parts.hpp>
 #include <mixed_palletizing/adapters/pallet_messages.hpp>
 #include <mixed_palletizing/adapters/units.hpp>
-
-#include "message_parts.hpp"
 
 namespace mixed_palletizing::adapters {
 namespace {

@@ -4,9 +4,8 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
+#include <mixed_palletizing/adapters/message_parts.hpp>
 #include <mixed_palletizing/adapters/static_transforms.hpp>
-
-#include "message_parts.hpp"
 
 namespace mixed_palletizing::adapters {
 

@@ -4,7 +4,7 @@
 
 #include <ros/ros.h>
 
-#include <mixed_palletizing/adapters/cell_executive.hpp>
+#include <mixed_palletizing/cell/executive.hpp>
 
 int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // warnings on stderr must not cut lines in a log of both
@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
     ros::init(argc, argv, "cell_executive");
     const ros::NodeHandle node;
     const ros::NodeHandle private_node("~");
-    return mixed_palletizing::adapters::CellExecutive(node, private_node).run() ? 0 : 1;
+    return mixed_palletizing::cell::CellExecutive(node, private_node).run() ? 0 : 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "cell_executive: %s\n", error.what());  // the log is down by now
     return 1;

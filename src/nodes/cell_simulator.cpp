@@ -4,14 +4,14 @@
 
 #include <ros/ros.h>
 
-#include <mixed_palletizing/adapters/cell_simulator.hpp>
+#include <mixed_palletizing/cell/simulator.hpp>
 
 int main(int argc, char** argv) {
   try {
     ros::init(argc, argv, "cell_simulator");
     const ros::NodeHandle node;
     const ros::NodeHandle private_node("~");
-    const mixed_palletizing::adapters::CellSimulator simulator(node, private_node);
+    const mixed_palletizing::cell::CellSimulator simulator(node, private_node);
     ros::spin();
     return 0;
   } catch (const std::exception& error) {

@@ -5,7 +5,7 @@
 #include <nodelet/nodelet.h>
 #include <pluginlib/class_list_macros.hpp>
 
-#include <mixed_palletizing/adapters/cell_simulator.hpp>
+#include <mixed_palletizing/cell/simulator.hpp>
 
 namespace mixed_palletizing::nodes {
 
@@ -13,14 +13,14 @@ class CellSimulator : public nodelet::Nodelet {
  private:
   void onInit() override {
     try {
-      simulator_ = std::make_unique<adapters::CellSimulator>(getNodeHandle(), getPrivateNodeHandle());
+      simulator_ = std::make_unique<cell::CellSimulator>(getNodeHandle(), getPrivateNodeHandle());
     } catch (const std::exception& error) {
       NODELET_FATAL_STREAM("the simulated cell does not start: " << error.what());
       throw;  // the manager answers the loader that it failed
     }
   }
 
-  std::unique_ptr<adapters::CellSimulator> simulator_;
+  std::unique_ptr<cell::CellSimulator> simulator_;
 };
 
 }  // namespace mixed_palletizing::nodes

@@ -5,13 +5,14 @@
 #include <string>
 
 #include <mixed_palletizing/adapters/command_line.hpp>
-#include <mixed_palletizing/adapters/dataset.hpp>
 #include <mixed_palletizing/adapters/progress_line.hpp>
+#include <mixed_palletizing/captures/dataset.hpp>
 
 namespace adapters = mixed_palletizing::adapters;
+namespace captures = mixed_palletizing::captures;
 
 int main(int argc, char** argv) {
-  adapters::DatasetOptions options;
+  captures::DatasetOptions options;
   std::string layout = "default";
   bool quiet = false;
   adapters::CommandLine line(
@@ -30,7 +31,7 @@ int main(int argc, char** argv) {
   return line.run(argc, argv, [&] {
     options.layout = adapters::optionalCloudLayout(layout);
     std::optional<adapters::ProgressLine> progress;
-    const adapters::DatasetResult result = adapters::writeDataset(options, [&](int done, int total) {
+    const captures::DatasetResult result = captures::writeDataset(options, [&](int done, int total) {
       if (quiet) return;
       const auto number = static_cast<std::uint64_t>(done);
       progress ? progress->step()

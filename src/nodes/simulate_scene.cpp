@@ -4,17 +4,18 @@
 #include <iostream>
 #include <string>
 
-#include <mixed_palletizing/adapters/capture_files.hpp>
 #include <mixed_palletizing/adapters/command_line.hpp>
+#include <mixed_palletizing/captures/capture_files.hpp>
 #include <mixed_palletizing/simulation/capture.hpp>
 #include <mixed_palletizing/simulation/scene_file.hpp>
 
 namespace adapters = mixed_palletizing::adapters;
+namespace captures = mixed_palletizing::captures;
 namespace simulation = mixed_palletizing::simulation;
 
 int main(int argc, char** argv) {
   std::string scene_path;
-  adapters::CaptureFiles files;
+  captures::CaptureFiles files;
   std::string layout = "default";
   std::uint64_t seed = 1;
   int threads = 2;
@@ -39,7 +40,7 @@ int main(int argc, char** argv) {
       std::cerr << scene_path << ": warning: " << warning << "\n";
     }
     const simulation::Capture capture = simulation::capture(scene, seed, threads);
-    adapters::writeCaptureFiles(files, scene, capture, seed);
+    captures::writeCaptureFiles(files, scene, capture, seed);
     const auto points = std::count_if(capture.cloud.points.begin(), capture.cloud.points.end(),
                                       [](const auto& point) { return point.z > 0.0f; });
     std::cout << files.cloud << ": " << capture.cloud.width << " x " << capture.cloud.height << ", " << points
