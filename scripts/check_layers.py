@@ -25,6 +25,7 @@ JOINING_ROOMS = {
     'adapters': (),
     'captures': ('adapters',),
     'cell': ('adapters', 'captures'),
+    'rviz_panel': ('adapters',),
     'nodes': ('adapters', 'captures', 'cell'),
 }
 

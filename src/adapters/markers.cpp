@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include <mixed_palletizing/adapters/markers.hpp>
@@ -14,6 +15,7 @@ namespace {
 constexpr std::uint32_t kWhite = 0xffffff;
 constexpr std::uint32_t kGood = 0x2ca02c;
 constexpr std::uint32_t kFlagged = 0xe6b800;
+constexpr std::uint32_t kPartial = 0xff7f0e;
 constexpr std::uint32_t kRefused = 0xd62728;
 constexpr std::uint32_t kWood = 0xa07850;
 constexpr std::uint32_t kSpace = 0x4aa3df;
@@ -21,6 +23,7 @@ constexpr std::uint32_t kNext = 0xff7f0e;
 constexpr double kLineM = 0.007;
 constexpr double kLetterM = 0.07;
 constexpr double kInflateM = 0.006;  // drawn around the cloud's points, which would otherwise hide the faces
+constexpr double kSigmas = 2.0;      // of the solid drawn around a box: 95 %
 constexpr double kCarrierM = 0.10;   // height of the carrier in the picture
 
 std::string millimeters(const geometry_msgs::Vector3& size) {
@@ -39,6 +42,34 @@ std::string flagWords(std::uint8_t flags) {
   if ((flags & Box::INCOMPLETE) != 0) words += " incomplete";
   if ((flags & Box::HEIGHT_UNKNOWN) != 0) words += " height unknown";
   return words;
+}
+
+/// Green: nothing to remark; yellow: flagged, the size holds; orange: the size is not that of the whole box.
+std::uint32_t toneOf(std::uint8_t flags) {
+  if ((flags & (Box::TRUNCATED | Box::INCOMPLETE | Box::HEIGHT_UNKNOWN)) != 0) return kPartial;
+  return flags == 0 ? kGood : kFlagged;
+}
+
+/// Half-width along each axis of the box [m] within which a side lies with one standard deviation.
+Eigen::Vector3d sideDeviation(const Box& box, const geometry::Pose& pose) {
+  Eigen::Matrix3d position;
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    for (Eigen::Index column = 0; column < 3; ++column) {
+      position(row, column) = box.pose.covariance[static_cast<std::size_t>(6 * row + column)];
+    }
+  }
+  const Eigen::Matrix3d own = pose.linear().transpose() * position * pose.linear();
+  const Eigen::Vector3d half = toEigen(box.size_stddev) / 2.0;
+  return (own.diagonal().cwiseMax(0.0) + half.cwiseProduct(half)).cwiseSqrt();
+}
+
+std::string deviationWords(const geometry_msgs::Vector3& stddev) {
+  const auto mm = [](double m) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f", kSigmas * m * kMillimetersPerMeter);
+    return std::string(text);
+  };
+  return "+-" + mm(stddev.x) + " " + mm(stddev.y) + " " + mm(stddev.z);
 }
 
 geometry::Pose poseOf(const geometry_msgs::Pose& message) {
@@ -92,21 +123,26 @@ void addSpaces(const PalletState& state, MarkerSet& set) {
   }
 }
 
+void addBox(const Box& box, MarkerSet& set) {
+  const geometry::Pose pose = poseOf(box.pose.pose);
+  const Eigen::Vector3d size = toEigen(box.size).array() + kInflateM;
+  const std::uint32_t tone = toneOf(box.flags);
+  set.cuboid("boxes", pose, size, color(tone, 0.4f));
+  set.edges("outlines", pose, size, 1.5 * kLineM, color(tone));
+  set.edges("uncertainty", pose, size + 2.0 * kSigmas * sideDeviation(box, pose), kLineM / 3,
+            color(kWhite, 0.7f));
+  const Eigen::Vector3d above = toEigen(box.top_center) + Eigen::Vector3d(0, 0, kLetterM);
+  set.text("labels", above, kLetterM,
+           "#" + std::to_string(box.id) + "  " + millimeters(box.size) + flagWords(box.flags), color(kWhite));
+  set.text("uncertainty_labels", above - Eigen::Vector3d(0, 0, 0.7 * kLetterM), 0.6 * kLetterM,
+           deviationWords(box.size_stddev), color(kWhite, 0.8f));
+}
+
 }  // namespace
 
 visualization_msgs::MarkerArrayPtr boxMarkers(const BoxArray& boxes) {
   MarkerSet set(boxes.header);
-  for (const Box& box : boxes.boxes) {
-    const geometry::Pose pose = poseOf(box.pose.pose);
-    const Eigen::Vector3d size = toEigen(box.size).array() + kInflateM;
-    const std::uint32_t tone = box.flags == 0 ? kGood : kFlagged;
-    set.cuboid("boxes", pose, size, color(tone, 0.4f));
-    set.edges("outlines", pose, size, 1.5 * kLineM, color(tone));
-    const Eigen::Vector3d above = toEigen(box.top_center) + Eigen::Vector3d(0, 0, kLetterM);
-    set.text("labels", above, kLetterM,
-             "#" + std::to_string(box.id) + "  " + millimeters(box.size) + flagWords(box.flags),
-             color(kWhite));
-  }
+  for (const Box& box : boxes.boxes) addBox(box, set);
   for (const RejectedCluster& cluster : boxes.rejected) {
     const Eigen::Vector3d center = toEigen(cluster.centroid);
     set.edges("rejected", at(center), toEigen(cluster.extent), kLineM, color(kRefused));

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include <mixed_palletizing/adapters/option_reader.hpp>
+#include <mixed_palletizing/adapters/parameters.hpp>
 #include <mixed_palletizing/adapters/planner_options.hpp>
 
 namespace mixed_palletizing::adapters {
@@ -116,7 +117,7 @@ PickPlannerOptions readPickPlannerOptions(const YAML::Node& tree) {
 
 std::string journalPath(const JournalFileOptions& options, const std::string& node_name) {
   if (options.file == "none") return "";
-  if (!options.file.empty()) return options.file;
+  if (!options.file.empty()) return expandPath(options.file);
   const char* ros_home = std::getenv("ROS_HOME");
   const char* home = std::getenv("HOME");
   if (ros_home == nullptr && home == nullptr) {

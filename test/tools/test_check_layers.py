@@ -36,6 +36,7 @@ class LayerCheck(unittest.TestCase):
         for path, text in [
             ('src/planning/a.cpp', '#include <mixed_palletizing/packing/types.hpp>'),
             ('src/detection/a.cpp', '#include <pcl/surface/convex_hull.h>\n#include <vector>\n#include "hull.hpp"'),
+            ('src/rviz_panel/a.cpp', '#include <rviz/panel.h>\n#include <mixed_palletizing/adapters/names.hpp>'),
             ('src/nodes/a.cpp', '#include <ros/ros.h>\n#include <mixed_palletizing/adapters/names.hpp>'),
             ('src/packing/a.cpp', '// std::cout is not for a core room'),
         ]:

@@ -1,8 +1,12 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <stdexcept>
+#include <string>
+#include <tuple>
 #include <utility>
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
 #include <mixed_palletizing/RejectedCluster.h>
@@ -65,7 +69,8 @@ BoxArray boxes() {
 TEST(BoxMarkers, oneOfEachForEveryBox) {
   const auto array = boxMarkers(boxes());
   expectSound(*array, "base");
-  for (const char* ns : {"boxes", "outlines", "labels"}) EXPECT_EQ(countOf(*array, ns), 3u) << ns;
+  for (const char* ns : {"boxes", "outlines", "labels", "uncertainty", "uncertainty_labels"})
+    EXPECT_EQ(countOf(*array, ns), 3u) << ns;
   for (const char* ns : {"rejected", "rejected_labels"}) EXPECT_EQ(countOf(*array, ns), 2u) << ns;
 }
 
@@ -85,6 +90,43 @@ TEST(BoxMarkers, leaveOutWhatIsNotFinite) {
   array.boxes[2].pose.pose.orientation.w = 0.0;
   array.rejected[0].centroid.y = std::nan("");
   expectSound(*boxMarkers(array), "base");
+}
+
+const Marker& firstOf(const visualization_msgs::MarkerArray& array, const std::string& ns) {
+  for (const Marker& marker : array.markers) {
+    if (marker.ns == ns) return marker;
+  }
+  throw std::invalid_argument("no marker in namespace " + ns);
+}
+
+TEST(BoxMarkers, colourTellsTheState) {
+  BoxArray array = boxes();
+  const auto tone = [&](std::uint8_t flags) {
+    array.boxes[0].flags = flags;
+    const auto color = firstOf(*boxMarkers(array), "boxes").color;
+    return std::make_tuple(color.r, color.g, color.b);
+  };
+  EXPECT_NE(tone(0), tone(Box::TOUCHING));
+  EXPECT_EQ(tone(Box::OCCLUDED), tone(Box::TOUCHING));
+  EXPECT_NE(tone(Box::TRUNCATED), tone(Box::TOUCHING));
+  EXPECT_EQ(tone(Box::TRUNCATED | Box::OCCLUDED), tone(Box::HEIGHT_UNKNOWN));
+}
+
+TEST(BoxMarkers, uncertaintyIsAroundTheBoxAlongItsOwnAxes) {
+  BoxArray array = boxes();
+  Box& box = array.boxes[0];
+  box.pose.pose.orientation.w = box.pose.pose.orientation.z = std::sqrt(0.5);  // a quarter turn
+  box.pose.covariance[0] = 0.01 * 0.01;  // along the frame's x: the box's y
+  box.size_stddev.z = 0.04;
+  const auto reach = [](const Marker& edges) {
+    Eigen::Vector3d most = Eigen::Vector3d::Zero();
+    for (const auto& p : edges.points) most = most.cwiseMax(Eigen::Vector3d(p.x, p.y, p.z));
+    return most;
+  };
+  const auto all = boxMarkers(array);
+  const Eigen::Vector3d beyond = reach(firstOf(*all, "uncertainty")) - reach(firstOf(*all, "outlines"));
+  EXPECT_LT((beyond - Eigen::Vector3d(0.0, 0.02, 0.04)).norm(), 1e-9) << beyond.transpose();
+  EXPECT_EQ(firstOf(*all, "uncertainty_labels").text, "+-0.0 0.0 80.0");
 }
 
 PalletState pallet() {
