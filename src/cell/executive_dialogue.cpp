@@ -2,8 +2,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <mixed_palletizing/adapters/pallet_messages.hpp>
-#include <mixed_palletizing/adapters/units.hpp>
+#include <mixed_palletizing/adapters/start_request.hpp>
 #include <mixed_palletizing/cell/executive_dialogue.hpp>
 
 namespace mixed_palletizing::cell {
@@ -65,15 +64,7 @@ CellReport CellDialogue::run() {
 }
 
 void CellDialogue::start() {
-  const packing::PalletRules& rules = instance_.order.rules;
-  StartPalletRequest request;
-  request.pallet_id = report_.pallet_id;
-  request.size.x = adapters::toMeters(rules.size.x);
-  request.size.y = adapters::toMeters(rules.size.y);
-  request.size.z = adapters::toMeters(rules.size.z);
-  request.order = adapters::toLines(instance_.order);
-  request.gap = adapters::toMeters(rules.gap);
-  request.min_support_ratio = rules.min_support_ratio;
+  StartPalletRequest request = adapters::startRequest(report_.pallet_id, instance_.order);
   request.close_open = options_.close_open;
   const StartPalletResponse response = link_.startPallet(request);
   if (response.status != StartPalletResponse::OK) throw CellError("start_pallet: " + response.message);
