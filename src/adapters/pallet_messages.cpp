@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include <mixed_palletizing/StartPallet.h>
 #include <mixed_palletizing/adapters/message_parts.hpp>
 #include <mixed_palletizing/adapters/pallet_messages.hpp>
 #include <mixed_palletizing/adapters/units.hpp>
@@ -82,6 +83,33 @@ std::array<Eigen::Matrix3d, 6> axisRotations() {
   return rotations;
 }
 
+planning::Knowledge knowledgeOf(std::uint8_t word, Problems& problems) {
+  switch (word) {
+    case StartPalletRequest::SET:
+      return planning::Knowledge::kSet;
+    case StartPalletRequest::FORECAST:
+      return planning::Knowledge::kForecast;
+    case StartPalletRequest::TYPES:
+      return planning::Knowledge::kTypes;
+    default:
+      break;
+  }
+  problems.push_back("knowledge: " + std::to_string(word) + " is none of SET, FORECAST, TYPES");
+  return planning::Knowledge::kSet;
+}
+
+std::uint8_t codeOf(planning::Knowledge knowledge) {
+  switch (knowledge) {
+    case planning::Knowledge::kForecast:
+      return StartPalletRequest::FORECAST;
+    case planning::Knowledge::kTypes:
+      return StartPalletRequest::TYPES;
+    case planning::Knowledge::kSet:
+      break;
+  }
+  return StartPalletRequest::SET;
+}
+
 void fillOrder(const planning::PalletSession& session, PalletState& state) {
   const packing::Order& order = *session.order();
   state.pallet_id = session.palletId();
@@ -91,6 +119,8 @@ void fillOrder(const planning::PalletSession& session, PalletState& state) {
   state.order = toLines(order);
   for (const int count : session.remaining()) state.remaining.push_back(static_cast<std::uint32_t>(count));
   for (const int count : session.discarded()) state.discarded.push_back(static_cast<std::uint32_t>(count));
+  state.knowledge = codeOf(session.knowledge()->kind);
+  state.expected = session.expected();
   const planning::PickDecided* pending = session.pendingDecision();
   if (pending == nullptr || !pending->reply.decision.chosen) return;
   state.has_pending = true;
@@ -114,16 +144,18 @@ ReadOrder readOrder(const OrderRequest& request) {
   rules.gap = lengthOf(request.gap, "gap", millimetersUp, read.problems);
   const double ratio = finite(request.min_support_ratio, "min_support_ratio", read.problems);
   rules.min_support_ratio = ratio == 0.0 ? 1.0 : ratio;
+  read.knowledge = {knowledgeOf(request.knowledge, read.problems), request.expected};
   for (std::size_t i = 0; i < request.lines.size(); ++i) {
     const OrderLine& line = request.lines[i];
     const std::string name = "order[" + std::to_string(i) + "]";
     if (line.type_id.empty()) read.problems.push_back(name + ".type_id: a name is needed");
-    if (line.count == 0) read.problems.push_back(name + ".count: 0: at least 1 is needed");
+    if (line.count == 0 && read.knowledge.kind == planning::Knowledge::kSet)
+      read.problems.push_back(name + ".count: 0: at least 1 is needed");
     read.order.types.push_back(typeOf(line, name, read.problems));
     constexpr std::uint32_t kMostItems = packing::kMaxItems;
     read.order.counts.push_back(static_cast<int>(std::min(line.count, kMostItems + 1)));
   }
-  if (read.problems.empty()) read.problems = problems(read.order);
+  if (read.problems.empty()) read.problems = problems(read.order, read.knowledge);
   return read;
 }
 
@@ -169,30 +201,6 @@ void alignPose(Placement& placement, const std::array<double, 3>& own_size) {
     best = mismatch;
     placement.pose.orientation = quaternionMessage(rotation);
   }
-}
-
-MeasuredPlacement measuredPlacement(const geometry_msgs::Pose& pose, const packing::Placement& planned,
-                                    double position_tolerance_m, double angle_tolerance_rad) {
-  const Eigen::Vector3d center = toEigen(pose.position);
-  if (!isLength(center.x()) || !isLength(center.y()) || !isLength(center.z())) {
-    return {std::nullopt, "actual_pose.position is no position"};
-  }
-  if (!isRotation(pose.orientation)) return {std::nullopt, "actual_pose.orientation is no rotation"};
-  const auto& o = pose.orientation;
-  const Eigen::Matrix3d rotation = Eigen::Quaterniond(o.w, o.x, o.y, o.z).normalized().toRotationMatrix();
-  // Along the sides: every axis of the box is within the tolerance of an axis of the pallet.
-  const double worst = std::acos(std::min(1.0, rotation.cwiseAbs().colwise().maxCoeff().minCoeff()));
-  if (worst > angle_tolerance_rad) {
-    return {std::nullopt, "the box stands " + std::to_string(worst * 180.0 / M_PI) +
-                              " degrees off the pallet's sides, more than " +
-                              std::to_string(angle_tolerance_rad * 180.0 / M_PI)};
-  }
-  const Eigen::Vector3d corner = center - metersOf(planned.size) / 2.0;
-  if ((corner - metersOf(planned.origin)).cwiseAbs().maxCoeff() <= position_tolerance_m) return {planned, ""};
-  packing::Placement placement = planned;
-  placement.origin = {millimetersNearest(corner.x()), millimetersNearest(corner.y()),
-                      millimetersNearest(corner.z())};
-  return {placement, ""};
 }
 
 PalletState toMessage(const planning::PalletSession& session) {

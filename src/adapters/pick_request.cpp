@@ -60,7 +60,11 @@ std::string faultOf(const ChooseNextPickRequest& request, int max_available) {
 IdentifiedBoxes identify(const ChooseNextPickRequest& request, const planning::PalletSession& session,
                          const planning::MatchingOptions& matching) {
   IdentifiedBoxes identified;
-  const std::vector<int> remaining = session.remaining();
+  std::vector<int> remaining = session.remaining();
+  // Where the counts are not all of the order, any number of any type may come.
+  if (session.knowledge()->kind != planning::Knowledge::kSet) {
+    std::fill(remaining.begin(), remaining.end(), packing::kMaxItems);
+  }
   std::vector<int> left = remaining;
   const bool detected = !request.boxes.empty();
   const std::size_t count = detected ? request.boxes.size() : request.type_ids.size();

@@ -6,6 +6,7 @@
 #include <ros/console.h>
 #include <ros/init.h>
 
+#include <mixed_palletizing/StartPallet.h>
 #include <mixed_palletizing/adapters/names.hpp>
 #include <mixed_palletizing/adapters/pallet_messages.hpp>
 
@@ -68,7 +69,8 @@ std::optional<PlanPalletServer::Task> PlanPalletServer::taskOf(const PlanPalletG
     }
     return Task{*session_.order(), *session_.pallet(), itemsOf(session_.remaining())};
   }
-  const ReadOrder read = readOrder({goal.size, goal.order, goal.gap, goal.min_support_ratio});
+  const ReadOrder read =
+      readOrder({goal.size, goal.order, goal.gap, goal.min_support_ratio, StartPalletRequest::SET, {}});
   if (read.problems.empty()) {
     return Task{read.order, packing::PalletState(read.order), itemsOf(read.order.counts)};
   }

@@ -81,6 +81,7 @@ PickPlannerOptions readPickPlannerOptions(const YAML::Node& tree) {
   OptionReader reader(tree);
   reader.read("pallet_frame", options.pallet_frame);
   reader.read("time_budget_s", options.time_budget_s);
+  reader.read("ponder", options.ponder);
   reader.read("max_available", options.max_available);
   reader.read("position_tolerance_m", options.position_tolerance_m);
   reader.read("angle_tolerance_rad", options.angle_tolerance_rad);

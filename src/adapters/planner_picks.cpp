@@ -15,6 +15,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double kMillisecondsPerSecond = 1000.0;
+
 double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
@@ -72,8 +74,7 @@ void PlannerServer::choose(const ChooseNextPickRequest& request, ChooseNextPickR
   if (!session_.open())
     return refuse(ChooseNextPickResponse::NO_PALLET, "no pallet is open: call start_pallet");
   if (!fault.empty()) return refuse(ChooseNextPickResponse::BAD_REQUEST, fault);
-  const std::vector<int> remaining = session_.remaining();
-  if (std::all_of(remaining.begin(), remaining.end(), [](int count) { return count == 0; })) {
+  if (session_.complete()) {
     return refuse(ChooseNextPickResponse::ORDER_COMPLETE, "nothing of the order is left");
   }
   if (request.boxes.empty() && request.type_ids.empty()) {
@@ -87,8 +88,9 @@ void PlannerServer::choose(const ChooseNextPickRequest& request, ChooseNextPickR
       start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(budget_s));
   const auto stop = [deadline] { return Clock::now() >= deadline; };
   const planning::CallerNotes notes{boxes.request_index, detectedSizes(request, boxes.request_index)};
-  answer(session_.choose(request.request_id, boxes.types, stop, millisecondsSince(start), notes), boxes,
-         request, response);
+  answer(session_.choose(request.request_id, boxes.types, stop, millisecondsSince(start), notes,
+                         budget_s * kMillisecondsPerSecond),
+         boxes, request, response);
   publishState();
 }
 
@@ -97,6 +99,8 @@ void PlannerServer::answer(const planning::ChooseReply& reply, const IdentifiedB
   response.status = codeOf(reply.status);
   response.message = reply.message;
   response.decision_id = reply.decision_id;
+  response.assumed = reply.assumed;
+  response.pondered = reply.pondered ? 1 : 0;
   response.header.frame_id = options_.pallet_frame;
   response.header.stamp = ros::Time::now();
   for (std::size_t i = 0; i < reply.decision.options.size(); ++i) {

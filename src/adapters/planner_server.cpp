@@ -40,6 +40,7 @@ PlannerServer::PlannerServer(const ros::NodeHandle& private_node)
       session_(openSession(options_.planner, journal_.get())),
       state_publisher_(node_.advertise<PalletState>(names::kPalletState, 1, true)),
       markers_publisher_(node_.advertise<visualization_msgs::MarkerArray>(names::kPalletMarkers, 1, true)) {
+  if (options_.ponder) session_.ponder();
   if (session_.open()) {
     ROS_INFO_STREAM("pallet '" << session_.palletId() << "' goes on at revision " << session_.revision()
                                << ": " << session_.pallet()->placements().size() << " boxes stand on it");
@@ -58,7 +59,8 @@ PlannerServer::~PlannerServer() = default;
 
 bool PlannerServer::onStart(StartPalletRequest& request, StartPalletResponse& response) {
   return guarded("start_pallet", response, [&] {
-    const ReadOrder read = readOrder({request.size, request.order, request.gap, request.min_support_ratio});
+    const ReadOrder read = readOrder({request.size, request.order, request.gap, request.min_support_ratio,
+                                      request.knowledge, request.expected});
     std::lock_guard<std::mutex> lock(session_mutex_);
     response.revision = session_.revision();
     if (!read.problems.empty()) {
@@ -68,7 +70,7 @@ bool PlannerServer::onStart(StartPalletRequest& request, StartPalletResponse& re
       return;
     }
     const planning::SessionReply reply =
-        session_.start(request.pallet_id, read.order, request.close_open != 0);
+        session_.start(request.pallet_id, read.order, request.close_open != 0, read.knowledge);
     fill(reply, session_.revision(), response);
     if (response.status != StartPalletResponse::OK) return;
     ROS_INFO_STREAM("pallet '" << request.pallet_id << "' started: " << read.order.itemCount() << " boxes of "

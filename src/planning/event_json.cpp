@@ -1,5 +1,9 @@
 #include "event_json.hpp"
 
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
 #include <stdexcept>
 
 namespace mixed_palletizing::planning {
@@ -63,16 +67,55 @@ PickOption optionFrom(const json& j) {
   return option;
 }
 
-json body(const PalletStarted& e) { return {{"pallet_id", e.pallet_id}, {"order", toJson(e.order)}}; }
+constexpr std::array<Knowledge, 3> kKnowledge{Knowledge::kSet, Knowledge::kForecast, Knowledge::kTypes};
+
+json body(const PalletStarted& e) {
+  return {{"pallet_id", e.pallet_id},
+          {"order", toJson(e.order)},
+          {"knowledge", toString(e.knowledge.kind)},
+          {"expected", e.knowledge.expected}};
+}
+
+/// Journals of older planners tell nothing: the set was known.
+OrderKnowledge knowledgeFrom(const json& j) {
+  const std::string word = j.value("knowledge", toString(Knowledge::kSet));
+  const auto found = std::find_if(kKnowledge.begin(), kKnowledge.end(),
+                                  [&](Knowledge kind) { return word == toString(kind); });
+  if (found == kKnowledge.end()) throw std::invalid_argument("knowledge '" + word + "' is not known");
+  return {*found, j.value("expected", std::vector<double>())};
+}
+
+/// Items of one type have one option: it is written once, in the order of their first items.
+json optionsJson(const PickDecided& e) {
+  json options = json::array();
+  std::set<int> written;
+  for (std::size_t i = 0; i < e.available.size(); ++i) {
+    if (written.insert(e.available[i]).second) options.push_back(optionJson(e.reply.decision.options[i]));
+  }
+  return options;
+}
+
+std::vector<PickOption> optionsFrom(const json& j, const std::vector<int>& available) {
+  std::vector<PickOption> read;
+  for (const json& option : j) read.push_back(optionFrom(option));
+  if (read.size() == available.size()) return read;  // all of one type each, or an older planner's
+  std::vector<PickOption> options;
+  std::map<int, std::size_t> index_of_type;
+  for (const int type : available) {
+    const std::size_t index = index_of_type.emplace(type, index_of_type.size()).first->second;
+    options.push_back(read.at(index));
+  }
+  return options;
+}
 
 json body(const PickDecided& e) {
-  json options = json::array();
-  for (const PickOption& option : e.reply.decision.options) options.push_back(optionJson(option));
   json j{{"request_id", e.request_id},
          {"available", e.available},
          {"decision_id", e.reply.decision_id},
          {"message", e.reply.message},
-         {"options", options},
+         {"options", optionsJson(e)},
+         {"assumed", e.reply.assumed},
+         {"pondered", e.reply.pondered},
          {"decision_ms", e.decision_ms},
          {"request_index", e.notes.request_index},
          {"box_sizes_m", e.notes.box_sizes_m}};
@@ -95,7 +138,9 @@ PickDecided decidedFrom(const json& j) {
   e.available = j.at("available").get<std::vector<int>>();
   e.reply.decision_id = j.at("decision_id").get<std::uint64_t>();
   e.reply.message = j.at("message").get<std::string>();
-  for (const json& option : j.at("options")) e.reply.decision.options.push_back(optionFrom(option));
+  e.reply.decision.options = optionsFrom(j.at("options"), e.available);
+  e.reply.assumed = j.value("assumed", std::string());
+  e.reply.pondered = j.value("pondered", false);
   if (j.count("chosen") != 0) e.reply.decision.chosen = j.at("chosen").get<std::size_t>();
   e.reply.status = e.reply.decision.chosen ? ChooseStatus::kPick : ChooseStatus::kNoneFits;
   e.decision_ms = j.at("decision_ms").get<double>();
@@ -158,7 +203,8 @@ nlohmann::json toJson(const SessionEvent& event) {
 }
 
 SessionEvent eventFromJson(const std::string& kind, const nlohmann::json& j) {
-  if (kind == "started") return PalletStarted{j.at("pallet_id").get<std::string>(), orderFrom(j.at("order"))};
+  if (kind == "started")
+    return PalletStarted{j.at("pallet_id").get<std::string>(), orderFrom(j.at("order")), knowledgeFrom(j)};
   if (kind == "decided") return decidedFrom(j);
   if (kind == "reported") return reportedFrom(j);
   if (kind == "undone") return LastUndone{};

@@ -119,7 +119,7 @@ std::string palletJson(const std::vector<JournalEntry>& entries) {
               {"placements", placements},    {"remaining", open.remaining},
               {"discarded", open.discarded}, {"utilization", open.pallet.utilization()},
               {"pending", nullptr},          {"history", history}};
-  if (!open.decisions.empty()) pallet["pending"] = toJson(SessionEvent(open.decisions.back()));
+  if (!open.decisions.empty()) pallet["pending"] = toJson(SessionEvent(*open.decisions.back()));
   return pallet.dump(kIndent);
 }
 

@@ -87,6 +87,25 @@ void throwDamaged(const std::string& path, const std::string& what) {
       "move it and the files named after it away to begin with an empty pallet");
 }
 
+void throwFaultOf(const std::string& path, const SqliteError& error) {
+  switch (error.code()) {
+    case SQLITE_FULL:
+    case SQLITE_IOERR:
+    case SQLITE_READONLY:
+    case SQLITE_CANTOPEN:
+    case SQLITE_PERM:
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+    case SQLITE_NOMEM:
+      throw JournalError(
+          path + ": the journal cannot be used (" + error.what() +
+          "): see that its disk is sound and not full and that this user may write there, then "
+          "start the planner again");
+    default:
+      throwDamaged(path, error.what());
+  }
+}
+
 void makePrivateFile(const std::string& path) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::absolute(path).parent_path();
@@ -109,7 +128,7 @@ JournalLock::JournalLock(const std::string& journal_path) : path_(journal_path +
                          ": another planner has this journal open: end it, or give this one a "
                          "journal of its own");
     }
-    throwDamaged(path_, error.what());
+    throwFaultOf(path_, error);
   }
 }
 
@@ -154,7 +173,7 @@ std::vector<JournalRow> readRows(const SqliteDatabase& database, const std::stri
     const std::string fault = faultOf(rows, head.integer(0), head.integer(1), head.text(2));
     if (!fault.empty()) throwDamaged(path, fault);
   } catch (const SqliteError& error) {
-    throwDamaged(path, error.what());
+    throwFaultOf(path, error);
   }
   return rows;
 }

@@ -31,6 +31,10 @@ std::string chainAfter(const std::string& before, const JournalRow& row);
 /// Throws JournalError "PATH: the journal is damaged (WHAT): ..." with what to do.
 [[noreturn]] void throwDamaged(const std::string& path, const std::string& what);
 
+/// Throws JournalError with what to do: throwDamaged() when the database is not sound, otherwise "PATH: the journal
+/// cannot be used (WHAT): ..." as it is with a full, broken or read-only disk.
+[[noreturn]] void throwFaultOf(const std::string& path, const SqliteError& error);
+
 /// Makes the folder and an empty file that only the user can read, unless they are there.
 void makePrivateFile(const std::string& path);
 

@@ -42,7 +42,7 @@ class PalletJournal::Files {
       SqliteStatement tables(*database_, "SELECT count(*) FROM sqlite_master");
       if (tables.step() && tables.integer(0) == 0 && !lock_.journalWasMade()) makeTables(*database_);
     } catch (const SqliteError& error) {
-      throwDamaged(path, error.what());
+      throwFaultOf(path, error);
     }
     rows_ = readRows(*database_, path);
     lock_.setJournalMade();
@@ -80,7 +80,8 @@ class PalletJournal::Files {
       if (last.pallet != last_.pallet) forgetBefore(last.pallet - keep_pallets + 1);
       database_->execute("COMMIT");
     } catch (const std::exception& error) {
-      if (sqlite3_get_autocommit(database_->handle()) == 0) database_->execute("ROLLBACK");
+      // Whatever this answers: the transaction ends here, by SQLite itself if not by this.
+      sqlite3_exec(database_->handle(), "ROLLBACK", nullptr, nullptr, nullptr);
       throw JournalError(path_ + ": " + error.what());
     }
     last_ = std::move(last);
@@ -138,6 +139,8 @@ PalletJournal::PalletJournal(const std::string& path, int keep_pallets) : keep_p
     restored_ = replay(files_->takeLastPallet());
   } catch (const std::filesystem::filesystem_error& error) {
     throw JournalError(path + ": " + error.code().message());
+  } catch (const SqliteError& error) {
+    throwFaultOf(path, error);
   } catch (const std::invalid_argument& error) {
     throwDamaged(path, error.what());
   }
@@ -159,7 +162,7 @@ std::vector<JournalEntry> readJournal(const std::string& path) {
     database.execute("BEGIN");  // one view of it while a planner writes
     for (const JournalRow& row : readRows(database, path)) entries.push_back(entryOf(row));
   } catch (const SqliteError& error) {
-    throwDamaged(path, error.what());
+    throwFaultOf(path, error);
   } catch (const nlohmann::json::exception& error) {
     throwDamaged(path, error.what());
   }

@@ -7,7 +7,8 @@
 #include <mixed_palletizing/planning/pallet_session.hpp>
 
 #include "candidates.hpp"
-#include "pallet_stability.hpp"
+#include "expected_worlds.hpp"
+#include "report_check.hpp"
 
 namespace mixed_palletizing::planning {
 namespace {
@@ -29,37 +30,6 @@ SessionReply noPallet() { return {SessionStatus::kNoPallet, "no pallet is open"}
 
 bool sameReport(const PickReported& a, const PickReported& b) {
   return a.outcome == b.outcome && a.measured == b.measured && a.discarded == b.discarded;
-}
-
-/// Why the report does not suit its decision; empty when it does.
-std::string reportProblem(const PickDecided& decided, const PickReported& report, const OpenPallet& open) {
-  if (report.outcome != PickOutcome::kPlaced && report.measured) {
-    return "a placement was reported for a box that was not placed";
-  }
-  if (report.outcome != PickOutcome::kDiscarded && !report.discarded.empty()) {
-    return "items were reported as discarded, but the outcome is another";
-  }
-  const std::set<std::size_t> distinct(report.discarded.begin(), report.discarded.end());
-  if (distinct.size() != report.discarded.size()) return "an item was reported as discarded twice";
-  for (const std::size_t item : distinct) {
-    if (item < decided.available.size()) continue;
-    return "discarded item " + std::to_string(item) + " of " + std::to_string(decided.available.size()) +
-           " available";
-  }
-  if (report.outcome != PickOutcome::kPlaced) return {};
-  if (!decided.reply.decision.chosen) return "the decision chose no box, so none can have been placed";
-  if (!report.measured) return {};
-  const int type = decided.available[*decided.reply.decision.chosen];
-  if (report.measured->type != type) {
-    return "the measured box is of type " + std::to_string(report.measured->type) +
-           ", the decision chose type " + std::to_string(type);
-  }
-  const packing::ItemType& item = open.order.types[static_cast<std::size_t>(type)];
-  const std::vector<packing::Vec3> sizes = packing::orientations(item);
-  if (std::find(sizes.begin(), sizes.end(), report.measured->size) == sizes.end()) {
-    return "'" + item.name + "' may not stand with the size " + text(report.measured->size) + " mm";
-  }
-  return open.pallet.whyNot(*report.measured);
 }
 
 std::string decisionText(const Decision& decision, const std::vector<int>& available,
@@ -85,23 +55,29 @@ PalletSession::PalletSession(const PlannerOptions& options, SessionState state, 
   if (!found.empty()) throw std::invalid_argument("PalletSession: options: " + joined(found));
 }
 
-SessionReply PalletSession::start(const std::string& pallet_id, const packing::Order& order,
-                                  bool close_open) {
+PalletSession::PalletSession(PalletSession&&) noexcept = default;
+PalletSession::~PalletSession() = default;
+
+void PalletSession::ponder() { ponderer_ = std::make_unique<Ponderer>(options_); }
+
+SessionReply PalletSession::start(const std::string& pallet_id, const packing::Order& order, bool close_open,
+                                  const OrderKnowledge& knowledge) {
   if (open() && !close_open) return {SessionStatus::kPalletOpen, "pallet '" + palletId() + "' is still open"};
-  std::vector<std::string> found = problems(order);
+  std::vector<std::string> found = problems(order, knowledge);
   if (pallet_id.empty()) found.emplace_back("pallet_id: '': must not be empty");
   if (!found.empty()) return {SessionStatus::kBadRequest, joined(found)};
   std::vector<SessionEvent> events;
   if (open()) events.emplace_back(PalletClosed{});
-  events.emplace_back(PalletStarted{pallet_id, order});
+  events.emplace_back(PalletStarted{pallet_id, order, knowledge});
   record(events);
+  if (ponderer_) ponderer_->forget();
   return {SessionStatus::kOk,
-          "pallet '" + pallet_id + "' with " + std::to_string(order.itemCount()) + " items"};
+          "pallet '" + pallet_id + "': " + assumptionOf(state_.open()->situation({}), knowledge.kind)};
 }
 
 ChooseReply PalletSession::choose(const std::string& request_id, const std::vector<int>& available,
                                   const packing::StopCallback& stop, double elapsed_ms_of_caller,
-                                  const CallerNotes& notes) {
+                                  const CallerNotes& notes, double budget_ms) {
   const Clock::time_point start = Clock::now();
   ChooseReply reply;
   const auto answer = [&reply](ChooseStatus status, const std::string& message) {
@@ -111,29 +87,58 @@ ChooseReply PalletSession::choose(const std::string& request_id, const std::vect
   };
   const OpenPallet* open = state_.open();
   if (open == nullptr) return answer(ChooseStatus::kNoPallet, "no pallet is open");
-  for (const PickDecided& decided : open->decisions) {
-    if (request_id.empty() || decided.request_id != request_id) continue;
-    if (decided.available == available) return decided.reply;
+  for (const auto& decided : open->decisions) {
+    if (request_id.empty() || decided->request_id != request_id) continue;
+    if (decided->available == available) return decided->reply;
     return answer(ChooseStatus::kConflict, "request '" + request_id + "' came before with other boxes");
   }
-  if (std::accumulate(open->remaining.begin(), open->remaining.end(), 0) == 0) {
+  if (complete()) {
     return answer(ChooseStatus::kOrderComplete, "every item of the order is placed or discarded");
   }
   if (available.empty()) return answer(ChooseStatus::kBadRequest, "available: no box is available");
-  const std::string problem = availableProblem(available, open->remaining);
+  const std::string problem = open->problemOf(available);
   if (!problem.empty()) return answer(ChooseStatus::kBadRequest, problem);
 
-  const Situation situation{open->pallet, open->order.types, available, open->remaining};
-  // The seed follows the revision: the same situation of one pallet is decided the same way.
-  const std::uint64_t seed =
-      options_.method == PlanMethod::kBest ? options_.best.seed : options_.genetic.seed;
-  reply.decision = chooseNextPick(situation, options_, seed + revision(), stop);
+  const Situation situation = open->situation(available);
+  reply.assumed = assumptionOf(situation, open->knowledge.kind);
+  if (auto known = ponderer_ ? ponderer_->take(situation, seed(), budget_ms, stop) : std::nullopt) {
+    reply.decision = std::move(*known);
+    reply.pondered = true;
+  } else {
+    reply.decision = chooseNextPick(situation, options_, seed(), stop);
+  }
   reply.decision_id = state_.nextDecisionId();
   answer(reply.decision.chosen ? ChooseStatus::kPick : ChooseStatus::kNoneFits,
          decisionText(reply.decision, available, open->order));
   const std::chrono::duration<double, std::milli> elapsed = Clock::now() - start;
   record({PickDecided{request_id, available, notes, reply, elapsed.count() + elapsed_ms_of_caller}});
+  budget_ms_ = budget_ms;
+  ponderAfter(*state_.open()->decisions.back());
   return reply;
+}
+
+/// The seed follows the revision: the same situation of one pallet is decided the same way.
+std::uint64_t PalletSession::seed() const {
+  return revision() + (options_.method == PlanMethod::kBest ? options_.best.seed : options_.genetic.seed);
+}
+
+/// The robot is about to do what was decided.
+void PalletSession::ponderAfter(const PickDecided& decided) {
+  const std::optional<std::size_t> chosen = decided.reply.decision.chosen;
+  if (!ponderer_ || !chosen) return;
+  ponderer_->expect(expectedWorlds(*state_.open(), decided.reply.decision.options[*chosen].placement,
+                                   without(decided.available, {*chosen}), seed() + 1),
+                    budget_ms_);
+}
+
+/// Something else than the decision became of it: what is visible now, of its available items.
+void PalletSession::ponderAgain(const PickReported& event, const std::vector<int>& available,
+                                std::optional<std::size_t> chosen) {
+  if (!ponderer_) return;
+  std::vector<std::size_t> gone = event.discarded;
+  if (event.outcome != PickOutcome::kFailed && gone.empty() && chosen) gone = {*chosen};
+  if (event.outcome != PickOutcome::kFailed && gone.empty()) return ponderer_->forget();  // all discarded
+  ponderer_->expect(expectedWorlds(*state_.open(), {}, without(available, gone), seed()), budget_ms_);
 }
 
 SessionReply PalletSession::report(std::uint64_t decision_id, PickOutcome outcome,
@@ -155,7 +160,11 @@ SessionReply PalletSession::report(std::uint64_t decision_id, PickOutcome outcom
   }
   const std::string problem = reportProblem(*decided, event, *state_.open());
   if (!problem.empty()) return {SessionStatus::kBadRequest, problem};
+  const std::vector<int> available = decided->available;
+  const std::optional<std::size_t> chosen = decided->reply.decision.chosen;
+  const bool as_expected = outcome == PickOutcome::kPlaced && !placement;
   record({event});
+  if (!as_expected) ponderAgain(event, available, chosen);
   return {};
 }
 
@@ -164,6 +173,7 @@ SessionReply PalletSession::undoLast() {
   if (state_.open()->changes.empty())
     return {SessionStatus::kNothingToUndo, "nothing was placed or discarded"};
   record({LastUndone{}});
+  if (ponderer_) ponderer_->forget();
   return {};
 }
 
@@ -171,6 +181,7 @@ SessionReply PalletSession::close(PalletSummary& summary) {
   if (!open()) return noPallet();
   summary = this->summary();
   record({PalletClosed{}});
+  if (ponderer_) ponderer_->forget();
   return {};
 }
 
@@ -189,6 +200,20 @@ std::vector<int> PalletSession::remaining() const {
   return open() ? state_.open()->remaining : std::vector<int>();
 }
 
+const OrderKnowledge* PalletSession::knowledge() const {
+  return open() ? &state_.open()->knowledge : nullptr;
+}
+
+bool PalletSession::complete() const {
+  if (!open() || state_.open()->knowledge.kind != Knowledge::kSet) return false;
+  const std::vector<int>& left = state_.open()->remaining;
+  return std::all_of(left.begin(), left.end(), [](int count) { return count == 0; });
+}
+
+std::vector<double> PalletSession::expected() const {
+  return open() ? state_.open()->situation({}).forecast : std::vector<double>();
+}
+
 std::vector<int> PalletSession::discarded() const {
   return open() ? state_.open()->discarded : std::vector<int>();
 }
@@ -196,7 +221,7 @@ std::vector<int> PalletSession::discarded() const {
 std::uint64_t PalletSession::revision() const { return state_.revision(); }
 
 const PickDecided* PalletSession::pendingDecision() const {
-  return open() && !state_.open()->decisions.empty() ? &state_.open()->decisions.back() : nullptr;
+  return open() && !state_.open()->decisions.empty() ? state_.open()->decisions.back().get() : nullptr;
 }
 
 std::optional<KnownDecision> PalletSession::knownDecision(std::uint64_t decision_id) const {
@@ -215,33 +240,6 @@ void PalletSession::record(const std::vector<SessionEvent>& events) {
   for (const SessionEvent& event : events) next.apply(event);
   if (recorder_) recorder_(state_, events);
   state_ = std::move(next);
-}
-
-PalletSummary PalletSession::summary() const {
-  PalletSummary summary;
-  const OpenPallet* open = state_.open();
-  if (open == nullptr) return summary;
-  summary.pallet_id = open->id;
-  summary.placed = static_cast<int>(open->pallet.placements().size());
-  summary.discarded = std::accumulate(open->discarded.begin(), open->discarded.end(), 0);
-  summary.remaining = std::accumulate(open->remaining.begin(), open->remaining.end(), 0);
-  summary.utilization = open->pallet.utilization();
-  summary.center_of_gravity_mm = centreOfGravity(open->pallet, open->order);
-  summary.min_support_ratio = leastSupport(open->pallet);
-  summary.gravity_margin_mm = gravityMargin(open->pallet, summary.center_of_gravity_mm);
-  for (std::size_t t = 0; t < open->order.types.size(); ++t) {
-    summary.unpacked_volume_ratio += static_cast<double>(open->discarded[t] + open->remaining[t]) *
-                                     static_cast<double>(packing::volume(open->order.types[t].size));
-  }
-  summary.unpacked_volume_ratio /= static_cast<double>(packing::volume(open->order.rules.size));
-  std::vector<double> times = open->decision_ms;
-  std::sort(times.begin(), times.end());
-  summary.decisions = static_cast<int>(times.size());
-  if (times.empty()) return summary;
-  summary.median_decision_ms = times[(times.size() - 1) / 2];
-  summary.p99_decision_ms = times[(times.size() * 99 + 99) / 100 - 1];
-  summary.max_decision_ms = times.back();
-  return summary;
 }
 
 }  // namespace mixed_palletizing::planning

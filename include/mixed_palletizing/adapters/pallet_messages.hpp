@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,11 +25,14 @@ struct OrderRequest {
   std::vector<OrderLine> lines;
   double gap = 0.0;                ///< [m]
   double min_support_ratio = 0.0;  ///< 0 = 1
+  std::uint8_t knowledge = 0;      ///< as in StartPallet
+  std::vector<double> expected = {};
 };
 
 /// An order, or everything that is wrong with the request.
 struct ReadOrder {
   packing::Order order;
+  planning::OrderKnowledge knowledge;
   std::vector<std::string> problems;
 };
 

@@ -32,6 +32,7 @@ struct JournalFileOptions {
 struct PickPlannerOptions {
   std::string pallet_frame = "pallet";
   double time_budget_s = 1.0;           ///< of one decision
+  bool ponder = true;                   ///< think about the next decision while the robot moves
   int max_available = 1000;             ///< boxes in one request
   double position_tolerance_m = 0.005;  ///< a measured pose this near to the plan is the plan
   double angle_tolerance_rad = 0.05;    ///< a measured box may be turned this much against the pallet

@@ -1,9 +1,9 @@
 // The session of one pallet: what is ordered, placed, discarded and decided.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,42 +11,12 @@
 #include <mixed_palletizing/packing/pallet_state.hpp>
 #include <mixed_palletizing/packing/types.hpp>
 #include <mixed_palletizing/planning/next_pick.hpp>
+#include <mixed_palletizing/planning/pallet_summary.hpp>
+#include <mixed_palletizing/planning/ponderer.hpp>
+#include <mixed_palletizing/planning/session_reply.hpp>
 #include <mixed_palletizing/planning/session_state.hpp>
 
 namespace mixed_palletizing::planning {
-
-enum class SessionStatus {
-  kOk,
-  kNoPallet,
-  kPalletOpen,
-  kBadRequest,
-  kUnknownDecision,  ///< never made, or stale: something was reported or taken back since
-  kConflict,         ///< the same id with another content
-  kNothingToUndo,
-};
-
-struct SessionReply {
-  SessionStatus status = SessionStatus::kOk;
-  std::string message;
-  bool ok() const { return status == SessionStatus::kOk; }
-};
-
-struct PalletSummary {
-  std::string pallet_id;
-  int placed = 0;
-  int discarded = 0;
-  int remaining = 0;  ///< neither placed nor discarded when the pallet was closed
-  double utilization = 0.0;
-  std::array<double, 3> center_of_gravity_mm{};  ///< by volume where weights are not known
-  int decisions = 0;
-  double median_decision_ms = 0.0;
-  double p99_decision_ms = 0.0;
-  double max_decision_ms = 0.0;
-  double unpacked_volume_ratio = 0.0;  ///< of the items discarded or never come, in volumes of the pallet
-  double min_support_ratio = 1.0;      ///< the least supported base of all boxes; 1 when none was placed
-  double gravity_margin_mm =
-      0.0;  ///< centre of gravity to the nearest edge of the floor area the boxes cover
-};
 
 /// What a report of a decision refers to.
 struct KnownDecision {
@@ -64,18 +34,25 @@ class PalletSession {
 
   /// Goes on from `state`. Throws std::invalid_argument with every line of problems(options).
   explicit PalletSession(const PlannerOptions& options, SessionState state = {}, Recorder recorder = {});
+  PalletSession(PalletSession&& other) noexcept;
+  ~PalletSession();
+
+  /// From now on thinks about the next decision between the calls, in a thread of its own (Ponderer).
+  void ponder();
 
   /// kPalletOpen while another pallet is open, unless `close_open`; kBadRequest with every line of
-  /// problems(order), or for an empty id.
-  SessionReply start(const std::string& pallet_id, const packing::Order& order, bool close_open);
+  /// problems(order, knowledge), or for an empty id.
+  SessionReply start(const std::string& pallet_id, const packing::Order& order, bool close_open,
+                     const OrderKnowledge& knowledge = {});
 
   /// Decides which of `available` (type indices) to pick next. The same request_id with the same items gets
   /// the same answer until something is reported or taken back; an empty id is never remembered. Changes
   /// neither the pallet nor the order. `elapsed_ms_of_caller` [ms] is added to the decision's time in the
-  /// summary; `notes` are kept with the decision.
+  /// summary; `notes` are kept with the decision; `budget_ms` is the time that `stop` gives: what was pondered for
+  /// less is not used.
   ChooseReply choose(const std::string& request_id, const std::vector<int>& available,
                      const packing::StopCallback& stop, double elapsed_ms_of_caller = 0.0,
-                     const CallerNotes& notes = {});
+                     const CallerNotes& notes = {}, double budget_ms = 0.0);
 
   /// What became of a decision.
   /// kPlaced: the box stands at the planned placement, or at `placement` when the robot measured another;
@@ -98,7 +75,10 @@ class PalletSession {
   const packing::PalletState* pallet() const;  ///< null when no pallet is open
   const packing::Order* order() const;         ///< null when no pallet is open
   const std::string& palletId() const;         ///< empty when no pallet is open
-  std::vector<int> remaining() const;          ///< count per type
+  const OrderKnowledge* knowledge() const;     ///< null when no pallet is open
+  bool complete() const;                       ///< nothing of a known order is left
+  std::vector<int> remaining() const;          ///< count per type of those sure to come
+  std::vector<double> expected() const;        ///< per type, beside them; empty when the set is known
   std::vector<int> discarded() const;          ///< count per type
   std::uint64_t revision() const;              ///< grows with every change
   const PickDecided* pendingDecision() const;  ///< the last one, not yet reported; null when there is none
@@ -107,14 +87,16 @@ class PalletSession {
 
  private:
   void record(const std::vector<SessionEvent>& events);
+  std::uint64_t seed() const;
+  void ponderAfter(const PickDecided& decided);
+  void ponderAgain(const PickReported& event, const std::vector<int>& available,
+                   std::optional<std::size_t> chosen);
 
   PlannerOptions options_;
   SessionState state_;
   Recorder recorder_;
+  std::unique_ptr<Ponderer> ponderer_;  ///< null: not wanted
+  double budget_ms_ = 0.0;              ///< of the last decision
 };
-
-/// The word of interfaces for a status: "PICK", "NONE_FITS", "OK", "NO_PALLET", ...
-const char* toString(SessionStatus status);
-const char* toString(ChooseStatus status);
 
 }  // namespace mixed_palletizing::planning

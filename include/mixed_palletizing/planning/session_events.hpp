@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <mixed_palletizing/packing/types.hpp>
+#include <mixed_palletizing/planning/knowledge.hpp>
 #include <mixed_palletizing/planning/next_pick.hpp>
 
 namespace mixed_palletizing::planning {
@@ -26,11 +27,14 @@ struct ChooseReply {
   std::string message;
   std::uint64_t decision_id = 0;  ///< of kPick and kNoneFits, unique in the life of the session
   Decision decision;
+  std::string assumed;    ///< what was taken for granted of the items to come
+  bool pondered = false;  ///< thought of before it was asked
 };
 
 struct PalletStarted {
   std::string pallet_id;
   packing::Order order;
+  OrderKnowledge knowledge = {};
 };
 
 /// What the caller of a decision wants to find again: the session only keeps it.

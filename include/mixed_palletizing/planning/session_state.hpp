@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,16 +27,26 @@ struct ReportedPick {
 struct OpenPallet {
   std::string id;
   packing::Order order;
+  OrderKnowledge knowledge;
   packing::PalletState pallet;
-  std::vector<int> remaining;         ///< count per type, neither placed nor discarded
-  std::vector<int> discarded;         ///< count per type
-  std::deque<PickDecided> decisions;  ///< not yet reported, oldest first, of the present revision only
-  std::vector<double> decision_ms;    ///< of every decision
-  struct Change {                     ///< one that can be taken back
+  std::vector<int> taken;      ///< count per type, placed or discarded
+  std::vector<int> remaining;  ///< count per type of those sure to come: neither placed nor discarded
+  std::vector<int> discarded;  ///< count per type
+  /// Not yet reported, oldest first, of the present revision only.
+  std::deque<std::shared_ptr<const PickDecided>> decisions;
+  std::vector<double> decision_ms;  ///< of every decision
+  struct Change {                   ///< one that can be taken back
     std::uint64_t decision_id = 0;
     std::vector<int> discarded_types;  ///< empty: a box was placed
   };
   std::vector<Change> changes;
+
+  /// What a decision over these available items (type indices) starts from.
+  Situation situation(const std::vector<int>& available) const;
+  /// Why these items cannot be available; empty when they can.
+  std::string problemOf(const std::vector<int>& available) const;
+  /// Items of a type are placed or discarded, or come back when `count` is negative.
+  void take(int type, int count);
 };
 
 /// The placement a decision chose, if any.
@@ -74,7 +85,7 @@ class SessionState {
   void on(const PalletClosed& event);
 
   std::optional<OpenPallet> open_;
-  std::map<std::uint64_t, ReportedPick> reports_;
+  std::map<std::uint64_t, std::shared_ptr<const ReportedPick>> reports_;  ///< shared: copied with every event
   std::uint64_t next_decision_id_ = 1;
   std::uint64_t revision_ = 0;
 };

@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# Tries to bring the package down: kills, damaged files, bad disks. Prints one table: what was tried, how much of it survived.
+# usage: scripts/torture.sh [--long] [--only NAME] [--seed N] [--write]
+#   --long   hours instead of minutes      --only   one of the tests below
+#   --seed   of everything random (1)      --write  puts the table, its date and command into docs/reliability.md
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
+
+# One line for a test: torture NAME COMMAND... A test prints what it found, and `ROW {...}` lines for the table
+# (test/torture/report_row.py); it fails when anything was lost.
+tests() {
+  torture kill_planner /usr/bin/python3 "$root/test/torture/kill_planner.py" --kills "$(amount 200 1000)" --seed "$seed"
+  torture journal_damage "$build/journal_damage" --cut-step 1 --flips "$(amount 10000 100000)" \
+    --draws "$(amount 5 50)" --seed "$seed"
+}
+
+long= only= seed=1 write= command="scripts/torture.sh $*"
+while [ $# -gt 0 ]; do
+  case $1 in
+    --long) long=yes ;;
+    --write) write=yes ;;
+    --only) only=${2:?--only needs the name of a test}; shift ;;
+    --seed) seed=${2:?--seed needs a number}; shift ;;
+    *) die "unknown argument '$1'; usage: scripts/torture.sh [--long] [--only NAME] [--seed N] [--write]" ;;
+  esac
+  shift
+done
+[[ $seed =~ ^[0-9]+$ ]] || die "--seed: '$seed' is no number"
+
+# amount DEFAULT LONG
+amount() { if [ -n "$long" ]; then echo "$2"; else echo "$1"; fi; }
+
+results=$(mktemp -d)
+master=
+finish() {
+  [ -z "$master" ] || kill "$master" 2>/dev/null || true
+  rm -rf "$results"
+}
+trap finish EXIT
+
+run=0
+failed=
+torture() {
+  local name=$1
+  shift
+  [ -z "$only" ] || [ "$only" = "$name" ] || return 0
+  run=$((run + 1))
+  say "$name: $*"
+  "$@" | tee "$results/$name.log" || failed="$failed $name"
+  sed -n 's/^ROW //p' "$results/$name.log" >>"$results/rows"
+}
+
+install_packages build test
+CATKIN_ENABLE_TESTING=ON make_workspace pick_planner pallet_journal journal_damage
+use_workspace
+build=$workspace/devel/lib/mixed_palletizing
+export ROS_HOME=$results/ros ROS_MASTER_URI=http://localhost:$(free_port)
+/usr/bin/python3 "$(command -v rosmaster)" --core -p "${ROS_MASTER_URI##*:}" >"$results/master.log" 2>&1 &
+master=$!
+until rosparam list >/dev/null 2>&1; do kill -0 "$master" || die "no master: $(tail -n 3 "$results/master.log")"; done
+
+touch "$results/rows"
+tests
+[ "$run" -gt 0 ] || die "--only: there is no test '$only'"
+table=("$root/test/torture/print_table.py" --rows "$results/rows" --command "$command")
+[ -z "$write" ] || table+=(--write "$root/docs/reliability.md")
+/usr/bin/python3 "${table[@]}"
+[ -z "$failed" ] || die "lost something:$failed"
