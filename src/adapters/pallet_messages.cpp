@@ -70,19 +70,6 @@ std::uint8_t rotationsWord(const packing::Rotations& rotations) {
 
 Eigen::Vector3d metersOf(const packing::Vec3& v) { return {toMeters(v.x), toMeters(v.y), toMeters(v.z)}; }
 
-/// Rotations that put a box's own axes along the pallet's, the least turning first. Column j is the own
-/// axis j in the pallet frame.
-std::array<Eigen::Matrix3d, 6> axisRotations() {
-  std::array<Eigen::Matrix3d, 6> rotations;
-  rotations[0] << 1, 0, 0, 0, 1, 0, 0, 0, 1;   // as it is
-  rotations[1] << 0, -1, 0, 1, 0, 0, 0, 0, 1;  // turned about the vertical
-  rotations[2] << 0, 0, 1, 0, 1, 0, -1, 0, 0;  // tilted about its y: x side vertical
-  rotations[3] << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // tilted about its x: y side vertical
-  rotations[4] << 0, 0, 1, 1, 0, 0, 0, 1, 0;   // both
-  rotations[5] << 0, 1, 0, 0, 0, 1, 1, 0, 0;
-  return rotations;
-}
-
 planning::Knowledge knowledgeOf(std::uint8_t word, Problems& problems) {
   switch (word) {
     case StartPalletRequest::SET:
@@ -185,22 +172,9 @@ Placement toMessage(const packing::Placement& placement, const packing::Order& o
   message.origin = pointMessage(origin);
   message.size = vectorMessage(size);
   message.pose.position = pointMessage(origin + size / 2.0);
-  message.approach = vectorMessage(-Eigen::Vector3d::UnitZ());
+  setApproach(message, {});
   alignPose(message, {toMeters(type.size.x), toMeters(type.size.y), toMeters(type.size.z)});
   return message;
-}
-
-void alignPose(Placement& placement, const std::array<double, 3>& own_size) {
-  const Eigen::Vector3d own(own_size[0], own_size[1], own_size[2]);
-  const Eigen::Vector3d placed = toEigen(placement.size);
-  constexpr double kClearlyBetterM = 1e-3;  // ties go to the lesser turn
-  double best = std::numeric_limits<double>::infinity();
-  for (const Eigen::Matrix3d& rotation : axisRotations()) {
-    const double mismatch = (rotation.cwiseAbs() * own - placed).cwiseAbs().sum();
-    if (mismatch >= best - kClearlyBetterM) continue;
-    best = mismatch;
-    placement.pose.orientation = quaternionMessage(rotation);
-  }
 }
 
 PalletState toMessage(const planning::PalletSession& session) {

@@ -68,6 +68,7 @@ std::vector<std::string> problems(const PickPlannerOptions& options) {
           "mm is negative");
   require(not_negative(options.matching.sigmas), "matching.sigmas", options.matching.sigmas, "is negative");
   append("planner.", problems(options.planner), all);
+  append("approach.", problems(options.approach), all);
   require(positive(options.plan.time_budget_s), "plan.time_budget_s", options.plan.time_budget_s,
           "s is not positive");
   append("plan.genetic.", problems(options.plan.genetic), all);
@@ -102,6 +103,9 @@ PickPlannerOptions readPickPlannerOptions(const YAML::Node& tree) {
   gripper.read("size_x_mm", options.planner.gripper.size_x);
   gripper.read("size_y_mm", options.planner.gripper.size_y);
   gripper.read("reach_mm", options.planner.gripper.reach);
+  OptionReader approach = reader.section("approach");
+  approach.read("sideways_mm", options.approach.sideways);
+  approach.read("height_mm", options.approach.height);
   std::vector<std::string> wrong;
   readBest(planner.section("best"), options.planner.best, wrong);
   OptionReader plan = reader.section("plan");

@@ -88,10 +88,11 @@ void PlannerServer::choose(const ChooseNextPickRequest& request, ChooseNextPickR
       start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(budget_s));
   const auto stop = [deadline] { return Clock::now() >= deadline; };
   const planning::CallerNotes notes{boxes.request_index, detectedSizes(request, boxes.request_index)};
-  answer(session_.choose(request.request_id, boxes.types, stop, millisecondsSince(start), notes,
-                         budget_s * kMillisecondsPerSecond),
-         boxes, request, response);
-  publishState();
+  const planning::ChooseReply reply =
+      session_.choose(request.request_id, boxes.types, stop, millisecondsSince(start), notes,
+                      budget_s * kMillisecondsPerSecond);
+  answer(reply, boxes, request, response);
+  if (reply.decision_id != 0) publishState();
 }
 
 void PlannerServer::answer(const planning::ChooseReply& reply, const IdentifiedBoxes& boxes,
@@ -115,6 +116,7 @@ void PlannerServer::answer(const planning::ChooseReply& reply, const IdentifiedB
     message.unpacked_ratio = option.future.unpacked_ratio;
     if (!option.feasible) continue;
     message.placement = toMessage(option.placement, *session_.order());
+    setApproach(message.placement, lastStretch(option.placement));
     alignWithBox(request, boxes.request_index[i], message.placement);
   }
   if (reply.decision.chosen) {
@@ -123,6 +125,10 @@ void PlannerServer::answer(const planning::ChooseReply& reply, const IdentifiedB
     response.type_id = response.options[index].type_id;
     response.placement = response.options[index].placement;
   }
+}
+
+packing::Vec3 PlannerServer::lastStretch(const packing::Placement& placement) const {
+  return planning::lastStretch(options_.approach, options_.planner.gripper, *session_.pallet(), placement);
 }
 
 bool PlannerServer::onReport(ReportPickRequest& request, ReportPickResponse& response) {

@@ -112,6 +112,10 @@ bool PlannerServer::onClose(ClosePalletRequest&, ClosePalletResponse& response) 
 
 void PlannerServer::publishState() {
   PalletState state = toMessage(session_);
+  if (state.has_pending != 0) {
+    setApproach(state.pending,
+                lastStretch(*planning::plannedPlacement(session_.pendingDecision()->reply.decision)));
+  }
   state.header.frame_id = options_.pallet_frame;
   state.header.stamp = ros::Time::now();
   state_publisher_.publish(state);

@@ -42,18 +42,6 @@ packing::Order orderFrom(const json& j) {
   return order;
 }
 
-json optionJson(const PickOption& option) {
-  json j{{"feasible", option.feasible}};
-  if (!option.reason.empty()) j["reason"] = option.reason;
-  if (!option.feasible) return j;
-  j["placement"] = toJson(option.placement);
-  j["future_costs"] = option.future_costs;
-  j["playouts"] = option.future.playouts;
-  j["perfect_ratio"] = option.future.perfect_ratio;
-  j["unpacked_ratio"] = option.future.unpacked_ratio;
-  return j;
-}
-
 PickOption optionFrom(const json& j) {
   PickOption option;
   option.feasible = j.at("feasible").get<bool>();
@@ -90,7 +78,7 @@ json optionsJson(const PickDecided& e) {
   json options = json::array();
   std::set<int> written;
   for (std::size_t i = 0; i < e.available.size(); ++i) {
-    if (written.insert(e.available[i]).second) options.push_back(optionJson(e.reply.decision.options[i]));
+    if (written.insert(e.available[i]).second) options.push_back(toJson(e.reply.decision.options[i]));
   }
   return options;
 }
@@ -170,6 +158,18 @@ PickReported reportedFrom(const json& j) {
 nlohmann::json toJson(const packing::Placement& placement) {
   return {
       {"type", placement.type}, {"origin_mm", triple(placement.origin)}, {"size_mm", triple(placement.size)}};
+}
+
+nlohmann::json toJson(const PickOption& option) {
+  json j{{"feasible", option.feasible}};
+  if (!option.reason.empty()) j["reason"] = option.reason;
+  if (!option.feasible) return j;
+  j["placement"] = toJson(option.placement);
+  j["future_costs"] = option.future_costs;
+  j["playouts"] = option.future.playouts;
+  j["perfect_ratio"] = option.future.perfect_ratio;
+  j["unpacked_ratio"] = option.future.unpacked_ratio;
+  return j;
 }
 
 nlohmann::json toJson(const packing::Order& order) {

@@ -18,6 +18,7 @@ nlohmann::json toJson(const SessionEvent& event);
 SessionEvent eventFromJson(const std::string& kind, const nlohmann::json& body);
 
 nlohmann::json toJson(const packing::Order& order);
+nlohmann::json toJson(const PickOption& option);
 nlohmann::json toJson(const packing::Placement& placement);
 
 }  // namespace mixed_palletizing::planning

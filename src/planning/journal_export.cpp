@@ -21,6 +21,16 @@ bool isClosed(const std::vector<JournalEntry>& entries) {
   return std::holds_alternative<PalletClosed>(entries.back().event);
 }
 
+/// As in the journal, but with an option for every available item.
+json eventJson(const SessionEvent& event) {
+  json j = toJson(event);
+  const auto* decided = std::get_if<PickDecided>(&event);
+  if (decided == nullptr) return j;
+  j["options"] = json::array();
+  for (const PickOption& option : decided->reply.decision.options) j["options"].push_back(toJson(option));
+  return j;
+}
+
 /// The state after the last event that is no close.
 SessionState lastOpen(std::vector<JournalEntry> entries) {
   if (isClosed(entries)) entries.pop_back();
@@ -112,14 +122,14 @@ std::string palletJson(const std::vector<JournalEntry>& entries) {
                        {"time", entry.time},
                        {"revision", entry.revision},
                        {"kind", kindOf(entry.event)},
-                       {"event", toJson(entry.event)}});
+                       {"event", eventJson(entry.event)}});
   }
   json pallet{{"pallet_id", open.id},        {"revision", state.revision()},
               {"open", !isClosed(entries)},  {"order", toJson(open.order)},
               {"placements", placements},    {"remaining", open.remaining},
               {"discarded", open.discarded}, {"utilization", open.pallet.utilization()},
               {"pending", nullptr},          {"history", history}};
-  if (!open.decisions.empty()) pallet["pending"] = toJson(SessionEvent(*open.decisions.back()));
+  if (!open.decisions.empty()) pallet["pending"] = eventJson(*open.decisions.back());
   return pallet.dump(kIndent);
 }
 

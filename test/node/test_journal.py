@@ -3,6 +3,7 @@
 import json
 import os
 import random
+import resource
 import shutil
 import signal
 import subprocess
@@ -16,8 +17,8 @@ import rospy
 import rostest
 from geometry_msgs.msg import Vector3
 from mixed_palletizing.msg import OrderLine
-from mixed_palletizing.srv import (ChooseNextPick, ChooseNextPickRequest, ClosePallet, GetPalletState, ReportPick,
-                                   ReportPickRequest, StartPallet, StartPalletRequest)
+from mixed_palletizing.srv import (ChooseNextPick, ChooseNextPickRequest, ChooseNextPickResponse, ClosePallet,
+                                   GetPalletState, ReportPick, ReportPickRequest, StartPallet, StartPalletRequest)
 from std_msgs.msg import String
 
 from cell_client import Latest
@@ -45,6 +46,9 @@ class Journal(unittest.TestCase):
         """Starts the node; seconds until it answers."""
         start = time.monotonic()
         self.node = subprocess.Popen(self.command())
+        return self.wait_until_it_answers(start)
+
+    def wait_until_it_answers(self, start):
         rospy.wait_for_service('pick_planner/close_pallet', 30.0)
         while True:  # the master may still name the killed one
             try:
@@ -154,6 +158,57 @@ class Journal(unittest.TestCase):
         third = subprocess.run(self.command('third'), stderr=subprocess.PIPE, universal_newlines=True, timeout=30)
         self.assertNotEqual(third.returncode, 0)
         self.assertIn('damaged', third.stderr)
+
+    def test_a_full_disk(self):
+        """No file may grow beyond a limit: refused and unchanged, then on as before where there is room."""
+        limit = 48 * 1024
+        start = time.monotonic()
+        self.node = subprocess.Popen(
+            self.command(), restore_signals=False,  # SIGXFSZ stays ignored, as Python has it: writing fails instead
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+        self.wait_until_it_answers(start)
+        self.start_pallet()
+        while True:
+            before = self.state()
+            choice = self.call('choose_next_pick', ChooseNextPick, ChooseNextPickRequest(type_ids=['a', 'b']))
+            if choice.status != 0:
+                break
+            self.call('report_pick', ReportPick,
+                      ReportPickRequest(decision_id=choice.decision_id, outcome=ReportPickRequest.FAILED))
+            self.assertLess(time.monotonic() - start, 120.0, 'the disk does not fill')
+        self.assertEqual(choice.status, ChooseNextPickResponse.FAILED)
+        self.assertIn(self.file, choice.message)
+        self.assertEqual(self.state(), before)
+        self.kill()
+        self.begin()
+        self.assertEqual(self.state().placements, before.placements)
+        self.assertEqual(self.state().revision, before.revision)
+        choice = self.call('choose_next_pick', ChooseNextPick, ChooseNextPickRequest(type_ids=['a', 'b']))
+        self.assertEqual(choice.status, 0, choice.message)
+
+    def test_a_read_only_journal(self):
+        """A user who may read but not write it: the start is refused with what to do, the journal as it was."""
+        nobody = 65534 if os.geteuid() == 0 else os.geteuid()
+        self.begin()
+        self.start_pallet()
+        before = self.state()
+        self.kill()
+        names = [os.path.join(self.folder, name) for name in os.listdir(self.folder)]
+        logs = tempfile.mkdtemp()
+        for name, mode in [(name, 0o400) for name in names] + [(self.folder, 0o500), (logs, 0o700)]:
+            os.chown(name, nobody, -1)
+            os.chmod(name, mode)
+        refused = subprocess.run(self.command(), stderr=subprocess.PIPE, universal_newlines=True, timeout=30,
+                                 env=dict(os.environ, ROS_HOME=logs, ROS_LOG_DIR=logs),
+                                 preexec_fn=lambda: os.geteuid() == nobody or os.setuid(nobody))
+        shutil.rmtree(logs)
+        for name, mode in [(self.folder, 0o700)] + [(name, 0o600) for name in names]:
+            os.chown(name, os.geteuid(), -1)
+            os.chmod(name, mode)
+        self.assertNotEqual(refused.returncode, 0)
+        self.assertIn('may write there', refused.stderr)
+        self.begin()
+        self.assertEqual(self.state(), before)
 
 
 if __name__ == '__main__':

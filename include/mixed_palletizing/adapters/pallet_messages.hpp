@@ -44,6 +44,9 @@ std::vector<OrderLine> toLines(const packing::Order& order);
 /// The placement with the axes of the order line's size.
 Placement toMessage(const packing::Placement& placement, const packing::Order& order);
 
+/// Puts the last stretch [mm] in a placement; {0, 0, 0} = straight down.
+void setApproach(Placement& placement, const packing::Vec3& last_stretch);
+
 /// Turns the pose so that its axes are those of a box that measures `own_size` [m] along its own x, y, z: the
 /// assignment of axes that fits the placed size best, upright and unturned if possible.
 void alignPose(Placement& placement, const std::array<double, 3>& own_size);

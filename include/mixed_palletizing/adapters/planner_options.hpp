@@ -7,6 +7,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <mixed_palletizing/packing/genetic_search.hpp>
+#include <mixed_palletizing/planning/approach.hpp>
 #include <mixed_palletizing/planning/box_matching.hpp>
 #include <mixed_palletizing/planning/next_pick.hpp>
 
@@ -38,6 +39,7 @@ struct PickPlannerOptions {
   double angle_tolerance_rad = 0.05;    ///< a measured box may be turned this much against the pallet
   planning::MatchingOptions matching;
   planning::PlannerOptions planner;
+  planning::ApproachOptions approach;
   PlanPalletOptions plan;
   JournalFileOptions journal;
 };

@@ -46,6 +46,7 @@ class PlannerServer {
   void choose(const ChooseNextPickRequest& request, ChooseNextPickResponse& response);
   void answer(const planning::ChooseReply& reply, const IdentifiedBoxes& boxes,
               const ChooseNextPickRequest& request, ChooseNextPickResponse& response);
+  packing::Vec3 lastStretch(const packing::Placement& placement) const;
   void report(const ReportPickRequest& request, ReportPickResponse& response);
   std::optional<packing::Placement> measured(const ReportPickRequest& request,
                                              const std::optional<planning::KnownDecision>& decision,
