@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <mixed_palletizing/adapters/message_parts.hpp>
 #include <mixed_palletizing/adapters/pallet_messages.hpp>
 #include <mixed_palletizing/adapters/units.hpp>
-
-#include "message_parts.hpp"
 
 namespace mixed_palletizing::adapters {
 namespace {
