@@ -59,6 +59,7 @@ check layer_check_itself /usr/bin/python3 "$root/test/tools/test_check_layers.py
 check show_report /usr/bin/python3 "$root/test/tools/test_show_report.py"
 check meshes /usr/bin/python3 "$root/test/tools/test_make_meshes.py"
 check docs /usr/bin/python3 "$root/test/tools/test_docs.py"
+check doxygen "$root/test/tools/test_doxygen.sh"
 check pallet_report /usr/bin/python3 "$root/test/tools/test_pallet_report.py"
 check experiment_modules /usr/bin/python3 "$root/test/tools/test_experiment_modules.py"
 check run_experiments /usr/bin/python3 "$root/test/tools/test_run_experiments.py"
