@@ -1,5 +1,5 @@
 // Times of the detection beside the plain reading of the same cloud, PCL's conversion, PCL's clusters, and a
-// literal rendering of the source thesis with PCL.
+// literal rendering of the source thesis with PCL; and the memory of the detection beside the message.
 #include <cmath>
 
 #include <benchmark/benchmark.h>
@@ -11,6 +11,7 @@
 #include <mixed_palletizing/simulation/capture.hpp>
 #include <mixed_palletizing/simulation/recipe.hpp>
 
+#include "memory_meter.hpp"
 #include "pcl_thesis.hpp"
 
 namespace mixed_palletizing {
@@ -108,6 +109,35 @@ void detect(benchmark::State& state, detection::Method method) {
 }
 BENCHMARK_CAPTURE(detect, best, detection::Method::kBest)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(detect, thesis, detection::Method::kThesis)->Unit(benchmark::kMillisecond);
+
+/// Heap of a new detector over its first cloud (peak), and what a further cloud takes: its labels, and the rest.
+void detectMemory(benchmark::State& state, detection::Method method) {
+  constexpr double kMegabyte = 1e6;
+  detection::DetectionOptions options;
+  options.method = method;
+  const detection::Detections before = detection::BoxDetector(options).detect(
+      setup().view, setup().base_from_camera);  // what the process takes once is there from now on
+  const double labels = static_cast<double>(before.labels.size() * sizeof(before.labels[0]));
+  for (auto _ : state) {
+    test::startMemoryUse();
+    detection::BoxDetector detector(options);
+    detector.detect(setup().view, setup().base_from_camera);
+    const test::MemoryUse first = test::memoryUse();
+    test::startMemoryUse();
+    benchmark::DoNotOptimize(detector.detect(setup().view, setup().base_from_camera).boxes.size());
+    const test::MemoryUse next = test::memoryUse();
+    state.counters["message_MB"] = static_cast<double>(setup().message->data.size()) / kMegabyte;
+    state.counters["peak_MB"] = static_cast<double>(first.peak_bytes) / kMegabyte;
+    state.counters["labels_MB"] = labels / kMegabyte;
+    state.counters["next_peak_MB"] = static_cast<double>(next.peak_bytes) / kMegabyte;
+    state.counters["next_MB"] = static_cast<double>(next.bytes) / kMegabyte;
+    state.counters["next_allocations"] = static_cast<double>(next.allocations);
+  }
+}
+BENCHMARK_CAPTURE(detectMemory, best, detection::Method::kBest)->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK_CAPTURE(detectMemory, thesis, detection::Method::kThesis)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
 
 void findBaseFrame(benchmark::State& state) {
   for (auto _ : state) {

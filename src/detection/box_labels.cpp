@@ -68,19 +68,21 @@ class Labeller {
   static constexpr float kReach = 0.012f;  // [m]
   static constexpr float kReachSpreads = 4.0f;
 
-  void put(int row, int col, std::size_t box) {
-    labels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(cloud_.width()) +
-            static_cast<std::size_t>(col)] =
-        static_cast<std::uint16_t>(std::min<std::size_t>(box + 1, UINT16_MAX));
-    ++boxes_[box].box.point_count;
+  std::size_t place(int row, int col) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(cloud_.width()) +
+           static_cast<std::size_t>(col);
+  }
+  static std::uint16_t labelOf(std::size_t box) {
+    return static_cast<std::uint16_t>(std::min<std::size_t>(box + 1, UINT16_MAX));
   }
 
   /// Every pixel of a cell whose points all lie deep in one box.
   void fill(int row, int col, std::size_t box) {
     const int k = cells_.cellPx();
     for (int r = row * k; r < (row + 1) * k; ++r) {
-      for (int c = col * k; c < (col + 1) * k; ++c) put(r, c, box);
+      std::fill_n(labels_.begin() + static_cast<std::ptrdiff_t>(place(r, col * k)), k, labelOf(box));
     }
+    boxes_[box].box.point_count += static_cast<std::uint32_t>(k * k);
   }
 
   /// Boxes that touch share their margins: a point belongs to the box that it lies deepest in.
@@ -96,7 +98,9 @@ class Labeller {
       deepest = outside;
       best = candidates_[n];
     }
-    if (deepest < INFINITY) put(row, col, best);
+    if (!(deepest < INFINITY)) return;
+    labels_[place(row, col)] = labelOf(best);
+    ++boxes_[best].box.point_count;
   }
 
   const BaseCloud& cloud_;
@@ -113,11 +117,7 @@ class Labeller {
 void labelBoxes(const BaseCloud& cloud, const CellGrid& cells, const ClusterLimits& limits,
                 std::vector<FoundBox>& boxes, std::vector<std::uint16_t>& labels) {
   Labeller labeller(cloud, cells, limits, boxes, labels);
-  for (int row = 0; row < cells.rows(); ++row) {
-    for (int col = 0; col < cells.cols(); ++col) {
-      if (cells.at(row, col).above > 0) labeller.labelCell(row, col);
-    }
-  }
+  cells.forEachFilled([&](std::size_t, int row, int col) { labeller.labelCell(row, col); });
 }
 
 }  // namespace mixed_palletizing::detection

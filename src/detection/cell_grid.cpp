@@ -29,7 +29,19 @@ void heightsOfRow(const std::uint8_t* __restrict__ p, std::size_t step, const ge
   }
 }
 
-bool isNumber(float x) { return x - x == 0.0f; }  // 0 exactly for finite numbers
+constexpr int kLargestCell = 8;  // [px]
+
+// Marks of a pixel: the sum over a cell's row counts both.
+constexpr std::uint8_t kValid = 1;   // has data
+constexpr std::uint8_t kAbove = 16;  // lies above the floor
+
+void markRow(const float* __restrict__ heights, std::size_t count, float low,
+             std::uint8_t* __restrict__ marks) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool number = heights[i] - heights[i] == 0.0f;  // exactly for finite numbers
+    marks[i] = static_cast<std::uint8_t>((number ? kValid : 0) + (heights[i] > low ? kAbove : 0));
+  }
+}
 
 }  // namespace
 
@@ -42,10 +54,7 @@ void CellGrid::addRow(const BaseCloud& cloud, const ClusterLimits& limits, int r
   } else {
     heightsOfRow<0>(view.at(row, 0), view.point_step, view, up, limits.camera_height_m, heights_.data());
   }
-  const float* h = heights_.data();
-  std::size_t valid = 0;
-  for (int col = 0; col < view.width; ++col) valid += isNumber(h[col]) ? 1 : 0;
-  valid_ += valid;
+  markRow(heights_.data(), heights_.size(), limits.low_m, marks_.data());
   switch (cell_px_) {
     case 2:
       return addCells<2>(cloud, limits, row);
@@ -65,18 +74,21 @@ void CellGrid::addCells(const BaseCloud& cloud, const ClusterLimits& limits, int
   const int px = kPx > 0 ? kPx : cell_px_;
   const float low = limits.low_m;
   const float high = limits.high_m;
+  int valid_in_row = 0;
   for (int cell = 0, begin = 0; begin < view.width; ++cell, begin += px) {
+    const std::uint8_t* marks = marks_.data() + begin;
+    int sum = 0;
+    for (int i = 0; i < px; ++i) sum += marks[i];
+    const int valid = sum % kAbove;
+    valid_in_row += valid;
+    if (sum < kAbove) {
+      sums_[static_cast<std::size_t>(cell)].others += valid;
+      continue;
+    }
     const int end = std::min(view.width, begin + px);
     const float* h = heights_.data() + begin;
-    Sums& sums = sums_[static_cast<std::size_t>(cell)];
-    bool any = false;
-    int valid = 0;
-    for (int i = 0; i < end - begin; ++i) {
-      any = any || h[i] > low;
-      valid += isNumber(h[i]) ? 1 : 0;
-    }
+    Sums sums = sums_[static_cast<std::size_t>(cell)];
     sums.others += valid;
-    if (!any) continue;
     for (int i = 0; i < end - begin; ++i) {
       if (!(h[i] > low && h[i] < high)) continue;
       const Eigen::Vector3f p = view.point(row, begin + i);
@@ -90,13 +102,15 @@ void CellGrid::addCells(const BaseCloud& cloud, const ClusterLimits& limits, int
       sums.squares += d * d;
       --sums.others;
     }
+    sums_[static_cast<std::size_t>(cell)] = sums;
   }
+  valid_ += static_cast<std::size_t>(valid_in_row);
 }
 
 void CellGrid::finishRow(const BaseCloud& cloud, int cell_row) {
   for (int col = 0; col < cols_; ++col) {
     Sums& sums = sums_[static_cast<std::size_t>(col)];
-    Cell& cell = cells_[index(cell_row, col)];
+    Cell cell;
     cell.above = static_cast<std::uint8_t>(sums.above);
     cell.others = static_cast<std::uint8_t>(sums.others);
     if (sums.above > 0) {
@@ -109,7 +123,11 @@ void CellGrid::finishRow(const BaseCloud& cloud, int cell_row) {
       const float shift = sums.height / n;
       cell.height = sums.first + shift;
       cell.spread = std::sqrt(std::max(0.0f, sums.squares / n - shift * shift));
+      const bool goes_on = !runs_.empty() && runs_.back().row == cell_row && runs_.back().end == col;
+      if (!goes_on) runs_.push_back({cell_row, col, col});
+      runs_.back().end = col + 1;
     }
+    cells_[index(cell_row, col)] = cell;
     sums = Sums{};
   }
 }
@@ -119,9 +137,11 @@ void CellGrid::fill(const BaseCloud& cloud, const ClusterLimits& limits, int cel
   rows_ = (cloud.height() + cell_px - 1) / cell_px;
   cols_ = (cloud.width() + cell_px - 1) / cell_px;
   valid_ = 0;
-  cells_.assign(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(cols_), Cell{});
+  cells_.resize(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(cols_));
+  runs_.clear();
   sums_.assign(static_cast<std::size_t>(cols_), Sums{});
   heights_.resize(static_cast<std::size_t>(cloud.width()));
+  marks_.assign(heights_.size() + kLargestCell, 0);  // the last cell may reach beyond the row
   for (int row = 0; row < cloud.height(); ++row) {
     addRow(cloud, limits, row);
     if ((row + 1) % cell_px == 0 || row + 1 == cloud.height()) finishRow(cloud, row / cell_px);

@@ -23,6 +23,13 @@ struct Cell {
   std::uint8_t others = 0;  ///< points with data outside of them
 };
 
+/// Cells [begin, end) of one row that have points between the height limits.
+struct CellRun {
+  int row = 0;
+  int begin = 0;
+  int end = 0;
+};
+
 class CellGrid {
  public:
   /// Reads the whole cloud once; keeps its memory between calls. `cell_px`: side of a block, 2 to 8.
@@ -38,6 +45,16 @@ class CellGrid {
   std::size_t size() const { return cells_.size(); }
   const Cell& operator[](std::size_t i) const { return cells_[i]; }
   std::size_t validPoints() const { return valid_; }
+  /// All cells with points between the height limits, row by row.
+  const std::vector<CellRun>& runs() const { return runs_; }
+
+  /// Calls visit(index, row, col) for those cells.
+  template <typename Visit>
+  void forEachFilled(Visit visit) const {
+    for (const CellRun& run : runs_) {
+      for (int col = run.begin; col < run.end; ++col) visit(index(run.row, col), run.row, col);
+    }
+  }
 
  private:
   /// Running sums of a cell over its rows, in the camera frame.
@@ -57,8 +74,10 @@ class CellGrid {
   int cols_ = 0;
   std::size_t valid_ = 0;
   std::vector<Cell> cells_;
+  std::vector<CellRun> runs_;
   std::vector<Sums> sums_;      // of the cells of one row
   std::vector<float> heights_;  // of one row of pixels; not a number without data
+  std::vector<std::uint8_t> marks_;
 };
 
 }  // namespace mixed_palletizing::detection

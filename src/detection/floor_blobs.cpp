@@ -7,6 +7,7 @@ namespace {
 
 // Of a cell's points: with fewer above the floor it is a stray point or a mixed pixel, which joins nothing.
 constexpr int kLeastAbove = 2;
+constexpr int kCoded = -2;  // less the number of a blob: a label that is no link any more
 
 }  // namespace
 
@@ -27,38 +28,31 @@ void FloorBlobs::find(const CellGrid& cells) {
     const int two = root(static_cast<int>(b));
     labels_[static_cast<std::size_t>(std::max(one, two))] = std::min(one, two);
   };
-  for (int row = 0; row < cells.rows(); ++row) {
-    for (int col = 0; col < cells.cols(); ++col) {
-      const std::size_t i = cells.index(row, col);
-      if (cells[i].above < kLeastAbove) continue;
-      labels_[i] = static_cast<int>(i);
-      if (col > 0) join(i, i - 1);
-      if (row > 0) join(i, i - static_cast<std::size_t>(cells.cols()));
-    }
-  }
-  numbers_.assign(cells.size(), -1);
+  cells.forEachFilled([&](std::size_t i, int row, int col) {
+    if (cells[i].above < kLeastAbove) return;
+    labels_[i] = static_cast<int>(i);
+    if (col > 0) join(i, i - 1);
+    if (row > 0) join(i, i - static_cast<std::size_t>(cells.cols()));
+  });
+  // Links lead to cells before their own, so that every cell finds the code of its blob at its link's end.
+  const auto codeOf = [](std::size_t number) { return kCoded - static_cast<int>(number); };
   blobs_.clear();
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (labels_[i] < 0) continue;
-    const auto r = static_cast<std::size_t>(root(static_cast<int>(i)));
-    if (numbers_[r] < 0) {
-      numbers_[r] = static_cast<int>(blobs_.size());
-      blobs_.emplace_back();
-    }
+  cells.forEachFilled([&](std::size_t i, int, int) {
+    if (labels_[i] == -1) return;
+    const auto link = static_cast<std::size_t>(labels_[i]);
+    if (link == i) blobs_.emplace_back();
+    labels_[i] = link == i ? codeOf(blobs_.size() - 1) : labels_[link];
     const Cell& cell = cells[i];
-    Blob& blob = blobs_[static_cast<std::size_t>(numbers_[r])];
+    Blob& blob = blobs_[static_cast<std::size_t>(kCoded - labels_[i])];
     const Eigen::Vector3d place(cell.x, cell.y, cell.height);
     blob.points += cell.above;
     blob.centroid += cell.above * place;
     blob.low = blob.low.cwiseMin(place);
     blob.high = blob.high.cwiseMax(place);
-  }
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (labels_[i] >= 0) labels_[i] = root(static_cast<int>(i));
-  }
-  for (int& label : labels_) {
-    if (label >= 0) label = numbers_[static_cast<std::size_t>(label)];
-  }
+  });
+  cells.forEachFilled([&](std::size_t i, int, int) {
+    if (labels_[i] != -1) labels_[i] = kCoded - labels_[i];
+  });
   for (Blob& blob : blobs_) blob.centroid /= static_cast<double>(blob.points);
 }
 

@@ -31,7 +31,6 @@ class FloorBlobs {
   int root(int cell);
 
   std::vector<int> labels_;
-  std::vector<int> numbers_;
   std::vector<Blob> blobs_;
 };
 

@@ -20,6 +20,7 @@ constexpr int kRounds = 3;              // of taking pieces apart that leaked in
 constexpr double kMadToSigma = 1.4826;  // for normal values
 constexpr double kKeptSigmas = 5.0;     // of a piece's heights around their middle
 constexpr double kLeastReach = 0.0015;  // [m]
+constexpr int kCounted = -2;            // less the number of a count: the label of a root that has one
 
 /// What the cells of one cloud are held against.
 class LevelTest {
@@ -72,35 +73,28 @@ int LevelPieces::root(int cell) {
 
 void LevelPieces::join(const CellGrid& cells, const SensorNoise& noise) {
   const LevelTest test(cells, noise);
-  parents_.assign(cells.size(), -1);
-  for (int row = 0; row < cells.rows(); ++row) {
-    for (int col = 0; col < cells.cols(); ++col) {
-      const std::size_t here = cells.index(row, col);
-      const Cell& cell = cells[here];
-      if (cell.above == 0 || !active_[here] || !test.level(cell)) continue;
-      parents_[here] = static_cast<int>(here);
-      const auto meet = [&](std::size_t other) {
-        if (parents_[other] < 0 || !test.together(cell, cells[other])) return;
-        const int a = root(static_cast<int>(here));
-        const int b = root(static_cast<int>(other));
-        parents_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-      };
-      if (col > 0) meet(here - 1);
-      if (row > 0) meet(here - static_cast<std::size_t>(cells.cols()));
-    }
-  }
+  cells.forEachFilled([&](std::size_t here, int row, int col) {
+    const Cell& cell = cells[here];
+    parents_[here] = -1;
+    if (!active_[here] || !test.level(cell)) return;
+    parents_[here] = static_cast<int>(here);
+    const auto meet = [&](std::size_t other) {
+      if (parents_[other] < 0 || !test.together(cell, cells[other])) return;
+      const int a = root(static_cast<int>(here));
+      const int b = root(static_cast<int>(other));
+      parents_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    };
+    if (col > 0) meet(here - 1);
+    if (row > 0) meet(here - static_cast<std::size_t>(cells.cols()));
+  });
 }
 
-void LevelPieces::measure(const CellGrid& cells, std::size_t first) {
+void LevelPieces::measure(const CellGrid& cells) {
   std::vector<PlaneSums> sums(pieces_.size());
   const auto forEach = [&](auto visit) {
-    for (int row = 0; row < cells.rows(); ++row) {
-      for (int col = 0; col < cells.cols(); ++col) {
-        const int label = labels_[cells.index(row, col)];
-        if (label >= static_cast<int>(first))
-          visit(row, col, static_cast<std::size_t>(label), cells.at(row, col));
-      }
-    }
+    cells.forEachFilled([&](std::size_t i, int row, int col) {
+      if (labels_[i] >= 0) visit(row, col, static_cast<std::size_t>(labels_[i]), cells[i]);
+    });
   };
   forEach([&](int row, int col, std::size_t label, const Cell& cell) {
     LevelPiece& piece = pieces_[label];
@@ -120,7 +114,7 @@ void LevelPieces::measure(const CellGrid& cells, std::size_t first) {
     const Eigen::Vector2d d = place - piece.center;
     sums[label].add(cell.above, d.x(), d.y(), cell.height);
   });
-  for (std::size_t i = first; i < pieces_.size(); ++i) {
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
     LevelPiece& piece = pieces_[i];
     const double n = static_cast<double>(piece.points);
     piece.depth_m /= n;
@@ -135,94 +129,105 @@ void LevelPieces::measure(const CellGrid& cells, std::size_t first) {
     const double off = cell.height - piece.heightAt({cell.x, cell.y});
     piece.rms_m += cell.above * off * off;
   });
-  for (std::size_t i = first; i < pieces_.size(); ++i) {
-    pieces_[i].rms_m = std::sqrt(pieces_[i].rms_m / static_cast<double>(pieces_[i].points));
-  }
+  for (LevelPiece& piece : pieces_) piece.rms_m = std::sqrt(piece.rms_m / static_cast<double>(piece.points));
 }
 
 /// Cells far from the middle height of their piece belong to something else that the piece leaked into: they leave
 /// it, to be looked at again. Returns whether there are any.
 bool LevelPieces::trim(const CellGrid& cells, const SensorNoise& noise, std::size_t first) {
-  std::vector<std::vector<float>> heights(pieces_.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (labels_[i] >= static_cast<int>(first))
-      heights[static_cast<std::size_t>(labels_[i])].push_back(cells[i].height);
-  }
-  const auto medianOf = [](std::vector<float>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
+  starts_.assign(1, 0);
+  for (std::size_t p = first; p < pieces_.size(); ++p) starts_.push_back(starts_.back() + sizes_[p]);
+  heights_.resize(starts_.back());
+  std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
+  cells.forEachFilled([&](std::size_t i, int, int) {
+    if (labels_[i] < static_cast<int>(first)) return;
+    heights_[next[static_cast<std::size_t>(labels_[i]) - first]++] = cells[i].height;
+  });
+  const auto medianOf = [&](std::size_t p) {
+    const auto begin = heights_.begin() + static_cast<std::ptrdiff_t>(starts_[p - first]);
+    const auto end = heights_.begin() + static_cast<std::ptrdiff_t>(starts_[p - first + 1]);
+    const auto middle = begin + (end - begin) / 2;
+    std::nth_element(begin, middle, end);
     return *middle;
   };
-  std::vector<std::pair<float, float>> kept(pieces_.size());  // middle and reach
+  kept_.resize(pieces_.size());
   for (std::size_t p = first; p < pieces_.size(); ++p) {
-    const float middle = medianOf(heights[p]);
-    for (float& h : heights[p]) h = std::abs(h - middle);
-    const double spread = kMadToSigma * static_cast<double>(medianOf(heights[p]));
-    const double pixels = static_cast<double>(cells.cellPx());
-    const double sigma = noise.depth(pieces_[p].depth_m) / pixels;
-    kept[p] = {middle,
-               static_cast<float>(std::max({kKeptSigmas * spread, kKeptSigmas * sigma, kLeastReach}))};
+    const float middle = medianOf(p);
+    for (std::size_t i = starts_[p - first]; i < starts_[p - first + 1]; ++i)
+      heights_[i] = std::abs(heights_[i] - middle);
+    const double spread = kMadToSigma * static_cast<double>(medianOf(p));
+    const double sigma = noise.depth(pieces_[p].depth_m) / static_cast<double>(cells.cellPx());
+    kept_[p] = {middle,
+                static_cast<float>(std::max({kKeptSigmas * spread, kKeptSigmas * sigma, kLeastReach}))};
   }
   bool any = false;
-  std::fill(active_.begin(), active_.end(), char{0});
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (labels_[i] < static_cast<int>(first)) continue;
-    const auto& [middle, reach] = kept[static_cast<std::size_t>(labels_[i])];
-    if (std::abs(cells[i].height - middle) <= reach) continue;
+  cells.forEachFilled([&](std::size_t i, int, int) {
+    active_[i] = 0;
+    if (labels_[i] < static_cast<int>(first)) return;
+    const auto& [middle, reach] = kept_[static_cast<std::size_t>(labels_[i])];
+    if (std::abs(cells[i].height - middle) <= reach) return;
     labels_[i] = -1;
     active_[i] = 1;
     any = true;
-  }
+  });
   return any;
 }
 
 void LevelPieces::find(const CellGrid& cells, const SensorNoise& noise, std::size_t min_points) {
   pieces_.clear();
+  sizes_.clear();
   labels_.assign(cells.size(), -1);
+  parents_.assign(cells.size(), -1);
   active_.assign(cells.size(), 1);
   for (int round = 0; round < kRounds; ++round) {
     const std::size_t first = pieces_.size();
     collect(cells, noise, min_points);
-    measure(cells, first);
     if (pieces_.size() == first || !trim(cells, noise, first)) break;
   }
   for (LevelPiece& piece : pieces_) piece = LevelPiece();
-  measure(cells, 0);
+  measure(cells);
 }
 
+/// Adds the pieces that are large and thick enough among the active cells.
 void LevelPieces::collect(const CellGrid& cells, const SensorNoise& noise, std::size_t min_points) {
   join(cells, noise);
-  counts_.assign(cells.size(), Count{});
-  const int cols = cells.cols();
-  for (int row = 0; row < cells.rows(); ++row) {
-    for (int col = 0; col < cols; ++col) {
-      const std::size_t i = cells.index(row, col);
-      if (parents_[i] < 0) continue;
-      const int r = root(static_cast<int>(i));
-      Count& count = counts_[static_cast<std::size_t>(r)];
-      count.points += cells[i].above;
-      ++count.cells;
-      if (row == 0 || col == 0 || row + 1 == cells.rows() || col + 1 == cols) continue;
-      const auto step = static_cast<std::size_t>(cols);
-      bool core = true;
-      for (const std::size_t k : {i - 1, i + 1, i - step, i + step}) {
-        core = core && parents_[k] >= 0 && root(static_cast<int>(k)) == r;
-      }
-      count.core += core ? 1 : 0;
+  // Links lead to cells before their own: in this order each cell's link is a root by now.
+  cells.forEachFilled([&](std::size_t i, int, int) {
+    if (parents_[i] >= 0) parents_[i] = parents_[static_cast<std::size_t>(parents_[i])];
+  });
+  counts_.clear();
+  const auto countOf = [&](std::size_t root) -> Count& {
+    return counts_[static_cast<std::size_t>(kCounted - labels_[root])];
+  };
+  const auto step = static_cast<std::size_t>(cells.cols());
+  cells.forEachFilled([&](std::size_t i, int row, int col) {
+    if (parents_[i] < 0) return;
+    const auto r = static_cast<std::size_t>(parents_[i]);
+    if (r == i) {
+      labels_[i] = kCounted - static_cast<int>(counts_.size());
+      counts_.push_back(Count{i});
     }
-  }
-  numbers_.assign(cells.size(), -1);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (parents_[i] < 0) continue;
-    const auto r = static_cast<std::size_t>(root(static_cast<int>(i)));
-    const Count& count = counts_[r];
+    Count& count = countOf(r);
+    count.points += cells[i].above;
+    count.depth += cells[i].above * static_cast<double>(cells[i].depth);
+    ++count.cells;
+    if (row == 0 || col == 0 || row + 1 == cells.rows() || col + 1 == cells.cols()) return;
+    bool core = true;
+    for (const std::size_t k : {i - 1, i + 1, i - step, i + step}) core = core && parents_[k] == parents_[i];
+    count.core += core ? 1 : 0;
+  });
+  for (Count& count : counts_) {
     if (count.points < min_points || count.core < kMinCore || count.core < kCoreShare * count.cells) continue;
-    if (numbers_[r] < 0) {
-      numbers_[r] = static_cast<int>(pieces_.size());
-      pieces_.emplace_back();
-    }
-    labels_[i] = numbers_[r];
+    count.piece = static_cast<int>(pieces_.size());
+    pieces_.emplace_back();
+    pieces_.back().depth_m = count.depth / static_cast<double>(count.points);
+    sizes_.push_back(static_cast<std::size_t>(count.cells));
   }
+  cells.forEachFilled([&](std::size_t i, int, int) {
+    if (parents_[i] >= 0 && parents_[i] != static_cast<int>(i))
+      labels_[i] = countOf(static_cast<std::size_t>(parents_[i])).piece;
+  });
+  for (const Count& count : counts_) labels_[count.root] = count.piece;
 }
 
 }  // namespace mixed_palletizing::detection

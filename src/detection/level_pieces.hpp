@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -38,23 +39,30 @@ class LevelPieces {
   int pieceOf(std::size_t cell) const { return labels_[cell]; }
 
  private:
-  /// Of the cells of one piece, kept with its root.
+  /// Connected cells that may become a piece.
   struct Count {
+    std::size_t root = 0;  // the first of them
     std::size_t points = 0;
+    double depth = 0.0;  // sum over the points [m]
     int cells = 0;
     int core = 0;
+    int piece = -1;
   };
   int root(int cell);
   void join(const CellGrid& cells, const SensorNoise& noise);
   void collect(const CellGrid& cells, const SensorNoise& noise, std::size_t min_points);
-  void measure(const CellGrid& cells, std::size_t first);
+  void measure(const CellGrid& cells);
   bool trim(const CellGrid& cells, const SensorNoise& noise, std::size_t first);
 
   std::vector<char> active_;  // cells that are still to be looked at
-  std::vector<int> parents_;  // -1: not level
+  std::vector<int> parents_;  // a cell before it, or itself; -1: not level
   std::vector<int> labels_;
-  std::vector<int> numbers_;
   std::vector<Count> counts_;
+  std::vector<std::size_t> sizes_;   // cells of each piece as it was collected
+  std::vector<std::size_t> starts_;  // of each piece's heights
+  std::vector<float> heights_;
+  std::vector<std::pair<float, float>>
+      kept_;  // middle height of each piece, and how far its cells may lie from it
   std::vector<LevelPiece> pieces_;
 };
 

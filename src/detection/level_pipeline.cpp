@@ -111,7 +111,7 @@ class LevelPipeline : public DetectionPipeline {
                   std::to_string(std::lround(std::atan(piece.slope.norm()) * 180.0 / M_PI)) + " degrees"});
       return;
     }
-    TopAxes axes(piece.center, sharpestYaw(group.samples, group.pixel_m));
+    TopAxes axes(piece.center, group.yaw_rad);
     const OutlineLines lines =
         findLines(group.samples, group.pixel_m, std::max(kMinLine, 6.0 * group.pixel_m), axes);
     clock.done("lines");

@@ -17,35 +17,76 @@ constexpr double kBinPixels = 0.7;    // or so many pixels
 constexpr int kLineReach = 2;         // bins that belong to one peak, each way
 constexpr std::size_t kMaxLines = 8;  // of a sign
 
-/// Sum of the squared counts of a histogram of the samples along two directions.
+/// Sum of the squared counts of the histograms of places along two directions.
 class Profile {
  public:
-  double sharpness(const std::vector<Eigen::Vector2d>& places, double yaw, double bin) {
-    const Eigen::Vector2d u(std::cos(yaw), std::sin(yaw));
-    return along(places, u, bin) + along(places, Eigen::Vector2d(-u.y(), u.x()), bin);
+  explicit Profile(const std::vector<Eigen::Vector2d>& places) {
+    x_.reserve(places.size());
+    y_.reserve(places.size());
+    for (const Eigen::Vector2d& place : places) {
+      x_.push_back(place.x());
+      y_.push_back(place.y());
+    }
+  }
+
+  double sharpness(double yaw, double bin) {
+    const double c = std::cos(yaw);
+    const double s = std::sin(yaw);
+    project(c, s, bin, axes_[0]);
+    project(-s, c, bin, axes_[1]);
+    // Side by side: neighbours of one line fall into the same bins, and wait for each other there.
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      share(axes_[0].at[i], axes_[0].counts);
+      share(axes_[1].at[i], axes_[1].counts);
+    }
+    return squares(axes_[0].counts) + squares(axes_[1].counts);
   }
 
  private:
-  double along(const std::vector<Eigen::Vector2d>& places, const Eigen::Vector2d& axis, double bin) {
-    double low = INFINITY;
-    double high = -INFINITY;
-    for (const Eigen::Vector2d& p : places) {
-      low = std::min(low, p.dot(axis));
-      high = std::max(high, p.dot(axis));
+  struct Axis {
+    std::vector<double> at;  // of each place, in bins from the first
+    std::vector<double> counts;
+  };
+
+  void project(double axis_x, double axis_y, double bin, Axis& axis) const {
+    axis.at.resize(x_.size());
+    double* at = axis.at.data();
+    for (std::size_t i = 0; i < x_.size(); ++i) at[i] = x_[i] * axis_x + y_[i] * axis_y;
+    std::array<double, 4> low{at[0], at[0], at[0], at[0]};
+    std::array<double, 4> high = low;
+    const std::size_t whole = x_.size() / 4 * 4;
+    for (std::size_t i = 0; i < whole; i += 4) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        low[k] = at[i + k] < low[k] ? at[i + k] : low[k];
+        high[k] = at[i + k] > high[k] ? at[i + k] : high[k];
+      }
     }
-    counts_.assign(static_cast<std::size_t>((high - low) / bin) + 3, 0.0);
-    for (const Eigen::Vector2d& p : places) {
-      // Shared between two bins, so that a line on the border of bins counts as much as one in the middle.
-      const double at = (p.dot(axis) - low) / bin;
-      const auto k = static_cast<std::size_t>(at);
-      counts_[k] += 1.0 - (at - static_cast<double>(k));
-      counts_[k + 1] += at - static_cast<double>(k);
+    for (std::size_t i = whole; i < x_.size(); ++i) {
+      low[0] = std::min(low[0], at[i]);
+      high[0] = std::max(high[0], at[i]);
     }
+    const double from = *std::min_element(low.begin(), low.end());
+    const double to = *std::max_element(high.begin(), high.end());
+    for (std::size_t i = 0; i < x_.size(); ++i) at[i] = (at[i] - from) / bin;
+    axis.counts.assign(static_cast<std::size_t>((to - from) / bin) + 3, 0.0);
+  }
+
+  /// Shared between two bins, so that a line on the border of bins counts as much as one in the middle.
+  static void share(double at, std::vector<double>& counts) {
+    const int bin = static_cast<int>(at);
+    double* count = counts.data() + bin;
+    count[0] += 1.0 - (at - bin);
+    count[1] += at - bin;
+  }
+
+  static double squares(const std::vector<double>& counts) {
     double sum = 0.0;
-    for (const double c : counts_) sum += c * c;
+    for (const double c : counts) sum += c * c;
     return sum;
   }
-  std::vector<double> counts_;
+
+  std::vector<double> x_, y_;
+  std::array<Axis, 2> axes_;
 };
 
 /// Samples of one axis and sign, in local coordinates.
@@ -158,18 +199,19 @@ TopAxes::TopAxes(const Eigen::Vector2d& at, double yaw)
 double sharpestYaw(const std::vector<EdgeSample>& samples, double pixel_m) {
   std::vector<Eigen::Vector2d> places;
   const std::size_t stride = std::max<std::size_t>(1, samples.size() / kEnough);
+  places.reserve(samples.size() / stride + 1);
   for (std::size_t i = 0; i < samples.size(); i += stride) {
     if (samples[i].isEdge() || samples[i].beyond == Beyond::kHole) places.push_back(samples[i].place);
   }
   if (places.size() < 2) return 0.0;
-  Profile profile;
+  Profile profile(places);
   double best_yaw = 0.0;
   double best = -1.0;
   const auto search = [&](double from, double step, int steps, double bin) {
     best = -1.0;
     double found = from;
     for (int i = 0; i <= steps; ++i) {
-      const double sharpness = profile.sharpness(places, from + i * step, bin);
+      const double sharpness = profile.sharpness(from + i * step, bin);
       if (sharpness <= best) continue;
       best = sharpness;
       found = from + i * step;

@@ -27,6 +27,22 @@ PixelBox PixelBox::grown(int margin, int width, int height) const {
           std::max(0, col_min - margin), std::min(width - 1, col_max + margin)};
 }
 
+void LevelMap::pixels(const float* u, const float* v, std::size_t count, int width, int height, int* cols,
+                      int* rows) const {
+  const Eigen::Matrix3f h = h_;
+  const auto right = static_cast<float>(width);
+  const auto bottom = static_cast<float>(height);
+  for (std::size_t i = 0; i < count; ++i) {
+    const float w = h(2, 0) * u[i] + h(2, 1) * v[i] + h(2, 2);
+    const float x = (h(0, 0) * u[i] + h(0, 1) * v[i] + h(0, 2)) / w + 0.5f;
+    const float y = (h(1, 0) * u[i] + h(1, 1) * v[i] + h(1, 2)) / w + 0.5f;
+    // Without branches, so that several places are computed at once.
+    const bool seen = (w > 0.0f) & (x >= 0.0f) & (y >= 0.0f) & (x < right) & (y < bottom);
+    cols[i] = static_cast<int>(seen ? x : -1.0f);
+    rows[i] = static_cast<int>(seen ? y : -1.0f);
+  }
+}
+
 bool RayModel::fit(const BaseCloud& cloud, const PixelBox& box) {
   rays_ = PixelRays();
   rotation_ = cloud.rotation().cast<double>();

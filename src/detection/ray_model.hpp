@@ -39,6 +39,10 @@ class LevelMap {
     return true;
   }
 
+  /// The same for `count` places at once; column and row are -1 where pixel() is false.
+  void pixels(const float* u, const float* v, std::size_t count, int width, int height, int* cols,
+              int* rows) const;
+
  private:
   Eigen::Matrix3f h_ = Eigen::Matrix3f::Zero();
 };

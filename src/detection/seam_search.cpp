@@ -6,109 +6,141 @@
 namespace mixed_palletizing::detection {
 namespace {
 
-constexpr double kStepPixels = 0.7;      // between places across
-constexpr int kMostLines = 64;           // along
 constexpr int kNear = 2;                 // places next to a seam that may belong to it
 constexpr int kWindow = 5;               // places beyond these that show one side
-constexpr float kLeastSeen = 3.0f;       // of a window
-constexpr float kDeepestSigmas = 4.0f;   // of the noise: a place without surface counts as that deep
+constexpr float kTooFew = 2.0f;          // seen of a window
 constexpr double kLeastColorStep = 4.0;  // of 255
 constexpr double kColorSigmas = 4.0;
 constexpr double kLeastDip = 0.00015;  // [m] mean along the seam
 constexpr double kUnevenDip = 0.001;   // [m] the same on an uneven surface
 constexpr double kDipSigmas = 7.0;
-constexpr int kParts = 4;              // of a seam: a dent dips in one of them only
-constexpr double kPartShare = 0.3;     // of the mean dip that every part must show, less its noise
-constexpr double kColorShare = 0.8;    // of a seam's lines that must show the step
-constexpr double kInsideShare = 0.75;  // of a stretch's lines that have surface on both sides
-constexpr double kEndFrom = 0.004;     // [m] behind the end of a change of colour ...
-constexpr double kEndTo = 0.010;       // ... and up to here there is no surface
-constexpr double kEndAtSeam = 0.003;   // [m] or a seam runs across this near
-constexpr double kFar = 0.02;          // [m] to both sides of a seam there must be surface
-constexpr int kFarSamples = 5;
-constexpr double kShortest = 0.015;  // [m]
-constexpr double kMargin = 0.004;    // [m] at the ends of a stretch that may be torn
+constexpr double kPartShare = 0.3;      // of the mean dip that every part must show, less its noise
+constexpr double kColorShare = 0.8;     // of a seam's lines that must show the step
+constexpr double kInsideShare = 0.75;   // of a stretch's lines that have surface on both sides
+constexpr double kEndFrom = 0.004;      // [m] behind the end of a change of colour ...
+constexpr double kEndTo = 0.010;        // ... and up to here there is no surface
+constexpr double kEndAtSeam = 0.003;    // [m] or a seam runs across this near
+constexpr double kFar = 0.02;           // [m] to both sides of a seam there must be surface
+constexpr double kShortest = 0.015;     // [m]
+constexpr double kMargin = 0.004;       // [m] at the ends of a stretch that may be torn
+constexpr int kRoom = kNear + kWindow;  // places at both ends that have no window
+
+/// Sums of five neighbours, the first of which is the place itself; added up forwards or backwards.
+void sumForwards(const std::vector<float>& values, std::vector<float>& sums) {
+  static_assert(kWindow == 5, "the sum is written out");
+  const float* __restrict__ x = values.data();
+  float* __restrict__ sum = sums.data();
+  const std::size_t count = values.size() - 4;
+  for (std::size_t i = 0; i < count; ++i) sum[i] = x[i] + x[i + 1] + x[i + 2] + x[i + 3] + x[i + 4];
+}
+
+void sumBackwards(const std::vector<float>& values, std::vector<float>& sums) {
+  const float* __restrict__ x = values.data();
+  float* __restrict__ sum = sums.data();
+  const std::size_t count = values.size() - 4;
+  for (std::size_t i = 0; i < count; ++i) sum[i] = x[i + 4] + x[i + 3] + x[i + 2] + x[i + 1] + x[i];
+}
 
 }  // namespace
 
-void SeamSearch::sample(const BaseCloud& cloud, const LevelPieces& pieces, const TopGroup& group,
-                        const TopAxes& axes, const LocalBox& bounds, int axis) {
-  const LevelPiece& piece = pieces.pieces()[static_cast<std::size_t>(group.largest)];
-  const LevelMap map = mapOf(piece, group.rays, axes);
-  const double start = piece.heightAt(axes.origin);
-  const double slope_u = piece.slope.dot(axes.u);
-  const double slope_v = piece.slope.dot(axes.v);
-  const Eigen::Index a = axis;
-  step_m_ = kStepPixels * group.pixel_m;
-  line_step_m_ = std::max(1.5 * group.pixel_m, bounds.size()(1 - a) / kMostLines);
-  from_m_ = bounds.low(a);
-  line_from_m_ = bounds.low(1 - a) + 0.5 * line_step_m_;
-  count_ = static_cast<int>(bounds.size()(a) / step_m_);
-  lines_ = static_cast<int>(bounds.size()(1 - a) / line_step_m_);
-  spots_.assign(static_cast<std::size_t>(count_) * static_cast<std::size_t>(lines_), Spot{});
-  const bool colored = cloud.view().hasColor();
-  const float reach = static_cast<float>(std::max(2.0 * group.scale.band_m, 0.003));
-  const float deepest = kDeepestSigmas * static_cast<float>(group.scale.noise_m);
-  for (int line = 0; line < lines_; ++line) {
-    for (int i = 0; i < count_; ++i) {
-      Eigen::Vector2d local;
-      local(a) = from_m_ + (i + 0.5) * step_m_;
-      local(1 - a) = line_from_m_ + line * line_step_m_;
-      int col = 0;
-      int row = 0;
-      if (!map.pixel(static_cast<float>(local.x()), static_cast<float>(local.y()), cloud.width(),
-                     cloud.height(), col, row)) {
-        continue;
-      }
-      const double level = start + slope_u * local.x() + slope_v * local.y();
-      Spot& spot = spots_[static_cast<std::size_t>(line) * static_cast<std::size_t>(count_) +
-                          static_cast<std::size_t>(i)];
+void SeamSearch::Sums::clear(std::size_t count) {
+  inside.assign(count, 0);
+  steps.assign(count, 0);
+  dip.assign(count, 0.0);
+}
 
-      spot.off = -deepest;
-      if (!cloud.valid(row, col)) continue;
-      const float off = cloud.point(row, col).z() - static_cast<float>(level);
-      spot.off = std::clamp(off, -deepest, deepest);
-      spot.top = std::abs(off) < reach;
-      if (!spot.top || !colored) continue;
-      const std::uint8_t* bgr = cloud.view().bgr(row, col);
-      for (std::size_t k = 0; k < 3; ++k) spot.color[k] = bgr[k];
-    }
+void SeamSearch::Sums::add(const std::vector<float>& inside_of, const std::vector<float>& steps_of,
+                           const std::vector<float>& dip_of) {
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    inside[i] += static_cast<int>(inside_of[i]);
+    steps[i] += static_cast<int>(steps_of[i]);
+    dip[i] += static_cast<double>(dip_of[i]);
   }
 }
 
-/// Spread of the colour between places that are the same but for noise.
-double SeamSearch::colorNoise() const {
-  std::array<int, 256> counts{};
-  int all = 0;
-  for (int line = 0; line < lines_; line += 3) {
-    for (int i = 0; i + 4 < count_; i += 3) {
-      const Spot& one = spot(line, i);
-      const Spot& two = spot(line, i + 4);
-      if (!one.top || !two.top) continue;
-      ++counts[static_cast<std::size_t>(std::min(255, std::abs(one.color[1] - two.color[1])))];
-      ++all;
-    }
+/// Room for one line of the lattice.
+void SeamSearch::prepare() {
+  color_step_ = static_cast<float>(std::max(kLeastColorStep, kColorSigmas * lattice_.colorNoise()));
+  for (std::size_t k = 0; k < kFarSamples; ++k) {
+    const double share = 0.5 + 0.5 * static_cast<double>(k + 1) / static_cast<double>(kFarSamples);
+    far_[k] = static_cast<std::size_t>(kFar / lattice_.step() * share);
   }
-  int below = 0;
-  for (std::size_t k = 0; k < counts.size(); ++k) {
-    below += counts[k];
-    if (2 * below >= all) return static_cast<double>(k);
+  room_ = std::max<std::size_t>(kRoom + kWindow, far_.back());
+  const auto count = static_cast<std::size_t>(lattice_.count());
+  for (auto* values : {&top_, &third_, &surface_, &top_sum_, &surface_sum_, &surface_sum_back_, &color_[0],
+                       &color_[1], &color_[2], &color_sum_[0], &color_sum_[1], &color_sum_[2]}) {
+    values->assign(count + 2 * room_, 0.0f);
   }
-  return 0.0;
+  for (auto* values : {&inside_, &step_, &dip_}) values->assign(count, 0.0f);
+  wide_.assign(count > 2 * kRoom ? count - 2 * kRoom : 0, 0.0f);
 }
 
-/// Whether the surface reaches far enough to both sides to be two tops: beside an edge, a strip of the face below
-/// passes for surface.
-bool SeamSearch::wide(int line, int i) const {
-  for (const int sign : {-1, 1}) {
-    int top = 0;
-    for (int k = 1; k <= kFarSamples; ++k) {
-      const int at = i + sign * static_cast<int>(kFar / step_m_ * (0.5 + 0.5 * k / kFarSamples));
-      if (at >= 0 && at < count_ && spot(line, at).top) ++top;
-    }
-    if (2 * top <= kFarSamples) return false;
+void SeamSearch::readLine(int line) {
+  const std::uint8_t* __restrict__ tops = lattice_.tops(line);
+  const float* __restrict__ heights = lattice_.heights(line);
+  float* __restrict__ top = top_.data() + room_;
+  float* __restrict__ third = third_.data() + room_;
+  float* __restrict__ surface = surface_.data() + room_;
+  const auto count = static_cast<std::size_t>(lattice_.count());
+  for (std::size_t i = 0; i < count; ++i) {
+    top[i] = static_cast<float>(tops[i]);
+    third[i] = heights[i] / 3.0f;
+    surface[i] = tops[i] != 0 ? heights[i] : 0.0f;
   }
-  return true;
+  sumForwards(top_, top_sum_);
+  sumForwards(surface_, surface_sum_);
+  sumBackwards(surface_, surface_sum_back_);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint8_t* __restrict__ color = lattice_.colors(line, k);
+    float* __restrict__ to = color_[k].data() + room_;
+    for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<float>(color[i]);
+    sumForwards(color_[k], color_sum_[k]);
+  }
+}
+
+/// Whether the surface reaches far enough to both sides of every place to be two tops: beside an edge, a strip of the
+/// face below passes for surface.
+void SeamSearch::lookFar() {
+  const auto on = [&](std::size_t k, std::ptrdiff_t sign) {
+    const float* first = top_.data() + room_ + kRoom + sign * static_cast<std::ptrdiff_t>(far_[k]);
+    return Eigen::Map<const Eigen::ArrayXf>(first, static_cast<Eigen::Index>(wide_.size()));
+  };
+  static_assert(kFarSamples == 5, "the sums are written out");
+  Eigen::Map<Eigen::ArrayXf> wide(wide_.data(), static_cast<Eigen::Index>(wide_.size()));
+  wide = (on(0, -1) + on(1, -1) + on(2, -1) + on(3, -1) + on(4, -1))
+             .min(on(0, 1) + on(1, 1) + on(2, 1) + on(3, 1) + on(4, 1));
+  wide = (wide - static_cast<float>(kFarSamples / 2)).max(0.0f).min(1.0f);
+}
+
+/// Compares the windows on both sides of every place of the line.
+void SeamSearch::rateLine() {
+  if (wide_.empty()) return;
+  lookFar();
+  // Sums of the windows before a place, and `high` farther on those of the windows behind it.
+  constexpr std::size_t high = kRoom + kNear + 1;
+  const auto part = [&](const std::vector<float>& values, std::size_t from) {
+    return Eigen::Map<const Eigen::ArrayXf>(values.data() + from, static_cast<Eigen::Index>(wide_.size()));
+  };
+  const auto rated = [&](std::vector<float>& values) {
+    return Eigen::Map<Eigen::ArrayXf>(values.data() + kRoom, static_cast<Eigen::Index>(wide_.size()));
+  };
+  const auto seen_low = part(top_sum_, room_);
+  const auto seen_high = part(top_sum_, room_ + high);
+  // Whole numbers: those above 0 become 1.
+  auto good = rated(inside_);
+  good =
+      part(wide_, 0) * (seen_low - kTooFew).max(0.0f).min(1.0f) * (seen_high - kTooFew).max(0.0f).min(1.0f);
+  const std::size_t middle = room_ + kRoom;
+  rated(dip_) = good * (0.5f * (part(surface_sum_back_, room_) / seen_low.max(1.0f) +
+                                part(surface_sum_, room_ + high) / seen_high.max(1.0f)) -
+                        (part(third_, middle - 1) + part(third_, middle) + part(third_, middle + 1)));
+  // The difference of the mean colours times both counts: whole numbers too, and no divisions.
+  auto step = rated(step_);
+  step.setZero();
+  for (const std::vector<float>& sums : color_sum_) {
+    step = step.max((part(sums, room_) * seen_high - part(sums, room_ + high) * seen_low).abs());
+  }
+  step = good * (step - color_step_ * (seen_low * seen_high)).max(0.0f).min(1.0f);
 }
 
 /// Whether a change of colour ends there as boxes do: at the end of the surface, or at a seam across. Prints end in
@@ -119,108 +151,74 @@ bool SeamSearch::endsAt(double along_m, int sign, int i, int axis) const {
   }
   int tops = 0;
   int all = 0;
-  for (double off = kEndFrom; off <= kEndTo; off += line_step_m_) {
-    const int line = static_cast<int>(std::lround((along_m + sign * off - line_from_m_) / line_step_m_));
-    for (const int at : {i - kNear - kWindow, i + kNear + kWindow}) {
+  for (double off = kEndFrom; off <= kEndTo; off += lattice_.lineStep()) {
+    const int line = static_cast<int>(std::lround(lattice_.lineAt(along_m + sign * off)));
+    for (const int at : {i - kRoom, i + kRoom}) {
       ++all;
-      if (line >= 0 && line < lines_ && at >= 0 && at < count_ && spot(line, at).top) ++tops;
+      if (lattice_.top(line, at)) ++tops;
     }
   }
   return 2 * tops <= all;
 }
 
-void SeamSearch::rate(int line, double color_step) {
-  for (int i = kNear + kWindow; i + kNear + kWindow < count_; ++i) {
-    std::array<float, 2> off{};
-    std::array<std::array<float, 3>, 2> color{};
-    std::array<float, 2> seen{};
-    for (int side = 0; side < 2; ++side) {
-      const auto s = static_cast<std::size_t>(side);
-      for (int k = kNear + 1; k <= kNear + kWindow; ++k) {
-        const Spot& there = spot(line, side == 0 ? i - k : i + k);
-        if (!there.top) continue;
-        seen[s] += 1.0f;
-        off[s] += there.off;
-        for (std::size_t c = 0; c < 3; ++c) color[s][c] += static_cast<float>(there.color[c]);
-      }
-    }
-    if (seen[0] < kLeastSeen || seen[1] < kLeastSeen || !wide(line, i)) continue;
-    const auto at =
-        static_cast<std::size_t>(line) * static_cast<std::size_t>(count_) + static_cast<std::size_t>(i);
-    inside_[at] = 1;
-    float here = 0.0f;
-    for (int k = -1; k <= 1; ++k) here += spot(line, i + k).off / 3.0f;
-    dips_[at] = 0.5f * (off[0] / seen[0] + off[1] / seen[1]) - here;
-    float step = 0.0f;
-    for (std::size_t c = 0; c < 3; ++c) {
-      step = std::max(step, std::abs(color[0][c] / seen[0] - color[1][c] / seen[1]));
-    }
-    steps_[at] = static_cast<double>(step) > color_step ? 1 : 0;
+/// How much a place looks like a seam, above 1; 0 for none.
+double SeamSearch::strengthAt(int i, int axis, const Stretch& stretch, const TopGroup& group) const {
+  const auto at = static_cast<std::size_t>(i);
+  const int inside = all_.inside[at];
+  if (inside < kInsideShare * stretch.count()) return 0.0;
+  const double noise_m = group.scale.noise_m;
+  const double dip = all_.dip[at] / inside;
+  const double least =
+      std::max(group.scale.flat ? kLeastDip : kUnevenDip, kDipSigmas * noise_m / std::sqrt(2.0 * inside));
+  bool everywhere = true;
+  for (const Sums& part : parts_) {
+    const double n = part.inside[at];
+    everywhere =
+        everywhere && (n == 0 || part.dip[at] / n > kPartShare * dip - 2.0 * noise_m / std::sqrt(2.0 * n));
   }
+  const double by_dip = everywhere ? dip / least : 0.0;
+  double by_color = static_cast<double>(all_.steps[at]) / (kColorShare * inside);
+  if (by_color > 1.0 && !(endsAt(stretch.from_m, -1, i, axis) && endsAt(stretch.to_m, 1, i, axis)))
+    by_color = 0.0;
+  const double strength = std::max(by_dip, by_color);
+  return strength > 1.0 ? strength + 0.01 * by_dip : 0.0;
 }
 
-void SeamSearch::findAcross(int axis, double noise_m, double least_dip, const std::vector<double>& breaks) {
-  struct Peak {
-    double strength = 0.0;
-    int i = 0;
-  };
-  for (std::size_t b = 0; b + 1 < breaks.size(); ++b) {
-    if (breaks[b + 1] - breaks[b] < kShortest) continue;
-    const int first =
-        std::max(0, static_cast<int>(std::ceil((breaks[b] + kMargin - line_from_m_) / line_step_m_)));
-    const int last = std::min(
-        lines_ - 1, static_cast<int>(std::floor((breaks[b + 1] - kMargin - line_from_m_) / line_step_m_)));
-    if (last - first < 3) continue;
-    std::vector<Peak> peaks;
-    for (int i = 0; i < count_; ++i) {
-      int inside = 0;
-      int steps = 0;
-      double dip = 0.0;
-      std::array<double, kParts> part_dip{};
-      std::array<int, kParts> part_inside{};
-      for (int line = first; line <= last; ++line) {
-        const auto at =
-            static_cast<std::size_t>(line) * static_cast<std::size_t>(count_) + static_cast<std::size_t>(i);
-        if (!inside_[at]) continue;
-        ++inside;
-        steps += steps_[at];
-        dip += static_cast<double>(dips_[at]);
-        const auto part = static_cast<std::size_t>(kParts * (line - first) / (last - first + 1));
-        ++part_inside[part];
-        part_dip[part] += static_cast<double>(dips_[at]);
-      }
-      if (inside < kInsideShare * (last - first + 1)) continue;
-      dip /= inside;
-      const double least = std::max(least_dip, kDipSigmas * noise_m / std::sqrt(2.0 * inside));
-      bool everywhere = true;
-      for (std::size_t part = 0; part < kParts; ++part) {
-        const double n = part_inside[part];
-        everywhere = everywhere &&
-                     (n == 0 || part_dip[part] / n > kPartShare * dip - 2.0 * noise_m / std::sqrt(2.0 * n));
-      }
-      const double by_dip = everywhere ? dip / least : 0.0;
-      double by_color = static_cast<double>(steps) / (kColorShare * inside);
-      if (by_color > 1.0 && !(endsAt(breaks[b], -1, i, axis) && endsAt(breaks[b + 1], 1, i, axis)))
-        by_color = 0.0;
-      const double strength = std::max(by_dip, by_color);
-      if (strength > 1.0) peaks.push_back({strength + 0.01 * by_dip, i});
+void SeamSearch::findIn(int axis, const Stretch& stretch, const TopGroup& group) {
+  const auto count = static_cast<std::size_t>(lattice_.count());
+  all_.clear(count);
+  for (Sums& part : parts_) part.clear(count);
+  for (int line = stretch.first; line <= stretch.last; ++line) {
+    readLine(line);
+    rateLine();
+    all_.add(inside_, step_, dip_);
+    const int part = static_cast<int>(kParts) * (line - stretch.first) / stretch.count();
+    parts_[static_cast<std::size_t>(part)].add(inside_, step_, dip_);
+  }
+  peaks_.clear();
+  for (int i = 0; i < lattice_.count(); ++i) {
+    const double strength = strengthAt(i, axis, stretch, group);
+    if (strength > 0.0) peaks_.push_back({strength, i});
+  }
+  keepPeaks(axis, stretch);
+}
+
+/// A seam is seen by a few places side by side: their middle, by strength.
+void SeamSearch::keepPeaks(int axis, const Stretch& stretch) {
+  for (std::size_t p = 0; p < peaks_.size();) {
+    std::size_t end = p + 1;
+    while (end < peaks_.size() && peaks_[end].i - peaks_[end - 1].i <= 2) ++end;
+    double best = 0.0;
+    for (std::size_t k = p; k < end; ++k) best = std::max(best, peaks_[k].strength);
+    double sum = 0.0;
+    double weight = 0.0;
+    for (std::size_t k = p; k < end; ++k) {
+      if (peaks_[k].strength < 0.9 * best) continue;
+      sum += peaks_[k].i;
+      weight += 1.0;
     }
-    // A seam is seen by a few places side by side: their middle, by strength.
-    for (std::size_t p = 0; p < peaks.size();) {
-      std::size_t end = p + 1;
-      while (end < peaks.size() && peaks[end].i - peaks[end - 1].i <= 2) ++end;
-      double best = 0.0;
-      for (std::size_t k = p; k < end; ++k) best = std::max(best, peaks[k].strength);
-      double sum = 0.0;
-      double weight = 0.0;
-      for (std::size_t k = p; k < end; ++k) {
-        if (peaks[k].strength < 0.9 * best) continue;
-        sum += peaks[k].i;
-        weight += 1.0;
-      }
-      seams_.push_back({axis, from_m_ + (sum / weight + 0.5) * step_m_, breaks[b], breaks[b + 1]});
-      p = end;
-    }
+    seams_.push_back({axis, lattice_.across(sum / weight), stretch.from_m, stretch.to_m});
+    p = end;
   }
 }
 
@@ -229,19 +227,22 @@ const std::vector<Seam>& SeamSearch::find(const BaseCloud& cloud, const LevelPie
                                           const OutlineLines& lines, const LocalBox& bounds) {
   seams_.clear();
   for (int axis = 0; axis < 2; ++axis) {
-    sample(cloud, pieces, group, axes, bounds, axis);
-    dips_.assign(spots_.size(), 0.0f);
-    inside_.assign(spots_.size(), 0);
-    steps_.assign(spots_.size(), 0);
-    const double color_step = std::max(kLeastColorStep, kColorSigmas * colorNoise());
-    for (int line = 0; line < lines_; ++line) rate(line, color_step);
-    std::vector<double> breaks;
-    for (const OutlineLine& line : lines[static_cast<std::size_t>(1 - axis)]) breaks.push_back(line.at_m);
+    lattice_.look(cloud, pieces, group, axes, bounds, axis);
+    prepare();
+    breaks_.clear();
+    for (const OutlineLine& line : lines[static_cast<std::size_t>(1 - axis)]) breaks_.push_back(line.at_m);
     for (const Seam& seam : seams_) {
-      if (seam.axis != axis) breaks.push_back(seam.at_m);
+      if (seam.axis != axis) breaks_.push_back(seam.at_m);
     }
-    std::sort(breaks.begin(), breaks.end());
-    findAcross(axis, group.scale.noise_m, group.scale.flat ? kLeastDip : kUnevenDip, breaks);
+    std::sort(breaks_.begin(), breaks_.end());
+    for (std::size_t b = 0; b + 1 < breaks_.size(); ++b) {
+      Stretch stretch{breaks_[b], breaks_[b + 1]};
+      if (stretch.to_m - stretch.from_m < kShortest) continue;
+      stretch.first = std::max(0, static_cast<int>(std::ceil(lattice_.lineAt(stretch.from_m + kMargin))));
+      stretch.last = std::min(lattice_.lines() - 1,
+                              static_cast<int>(std::floor(lattice_.lineAt(stretch.to_m - kMargin))));
+      if (stretch.count() > 3) findIn(axis, stretch, group);
+    }
   }
   return seams_;
 }

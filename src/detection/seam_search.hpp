@@ -5,10 +5,9 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <vector>
 
-#include "rectangle_cover.hpp"
+#include "seam_lattice.hpp"
 
 namespace mixed_palletizing::detection {
 
@@ -20,34 +19,53 @@ class SeamSearch {
                                 const TopAxes& axes, const OutlineLines& lines, const LocalBox& bounds);
 
  private:
-  /// What is seen at one place of the lattice.
-  struct Spot {
-    float off = 0.0f;  ///< height above the surface, held within what a seam may be [m]
-    std::array<std::int16_t, 3> color{};
-    bool top = false;  ///< the surface is there
-  };
-  void sample(const BaseCloud& cloud, const LevelPieces& pieces, const TopGroup& group, const TopAxes& axes,
-              const LocalBox& bounds, int axis);
-  void findAcross(int axis, double noise_m, double least_dip, const std::vector<double>& breaks);
-  bool wide(int line, int i) const;
-  bool endsAt(double along_m, int sign, int i, int axis) const;
-  void rate(int line, double color_step);
-  const Spot& spot(int line, int i) const {
-    return spots_[static_cast<std::size_t>(line) * static_cast<std::size_t>(count_) +
-                  static_cast<std::size_t>(i)];
-  }
-  double colorNoise() const;
+  static constexpr std::size_t kParts = 4;       // of a seam: a dent dips in one of them only
+  static constexpr std::size_t kFarSamples = 5;  // on each side of a seam
 
-  int count_ = 0;  // places across
-  int lines_ = 0;  // lines along
-  double step_m_ = 0.0;
-  double line_step_m_ = 0.0;
-  double from_m_ = 0.0;
-  double line_from_m_ = 0.0;
-  std::vector<Spot> spots_;
-  std::vector<float> dips_;           // of each spot: depth below its two sides [m]
-  std::vector<std::uint8_t> inside_;  // of each spot: the surface is on both sides
-  std::vector<std::uint8_t> steps_;   // of each spot: the colour changes there
+  /// Sums over lines, one for each place across.
+  struct Sums {
+    std::vector<int> inside;  // lines with surface on both sides of the place
+    std::vector<int> steps;   // and with a change of colour there
+    std::vector<double> dip;  // depth below both sides [m]
+    void clear(std::size_t count);
+    void add(const std::vector<float>& inside_of, const std::vector<float>& steps_of,
+             const std::vector<float>& dip_of);
+  };
+  /// Lines between two lines of the outline, that a seam may run through.
+  struct Stretch {
+    double from_m = 0.0, to_m = 0.0;
+    int first = 0, last = -1;
+    int count() const { return last - first + 1; }
+  };
+  /// A place across that looks like a seam.
+  struct Peak {
+    double strength = 0.0;
+    int i = 0;
+  };
+
+  void prepare();
+  void readLine(int line);
+  void lookFar();
+  void rateLine();
+  double strengthAt(int i, int axis, const Stretch& stretch, const TopGroup& group) const;
+  bool endsAt(double along_m, int sign, int i, int axis) const;
+  void findIn(int axis, const Stretch& stretch, const TopGroup& group);
+  void keepPeaks(int axis, const Stretch& stretch);
+
+  SeamLattice lattice_;
+  float color_step_ = 0.0f;  // more is a change of colour; a whole number
+  std::size_t room_ = 0;     // at both ends of the line below
+  std::array<std::size_t, kFarSamples> far_{};
+  // Of one line: the surface (1 or 0), a third of the heights, those of the surface alone, colours; and sums of
+  // neighbours.
+  std::vector<float> top_, third_, surface_, top_sum_, surface_sum_, surface_sum_back_;
+  std::array<std::vector<float>, 3> color_, color_sum_;
+  std::vector<float> wide_;                 // 1 where the surface reaches far, from the first place rated on
+  std::vector<float> inside_, step_, dip_;  // its places rated
+  Sums all_;
+  std::array<Sums, kParts> parts_;
+  std::vector<double> breaks_;  // along, where lines of the outline or seams cross
+  std::vector<Peak> peaks_;
   std::vector<Seam> seams_;
 };
 

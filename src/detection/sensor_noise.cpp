@@ -64,6 +64,12 @@ SensorNoise measureNoise(const BaseCloud& cloud, double floor_band_m) {
   Samples samples;
   const int row_step = std::max(1, cloud.height() / kSamplesPerSide);
   const int col_step = std::max(1, cloud.width() / kSamplesPerSide);
+  const auto most =
+      static_cast<std::size_t>((cloud.height() / row_step + 1) * (cloud.width() / col_step + 1));
+  for (auto* values : {&samples.along_row, &samples.along_column, &samples.second_difference, &samples.height,
+                       &samples.depth}) {
+    values->reserve(most);
+  }
   for (int row = 0; row < cloud.height(); row += row_step) {
     for (int col = 0; col < cloud.width(); col += col_step) {
       sampleAt(cloud, row, col, floor_band_m, samples);

@@ -48,13 +48,17 @@ SideVotes collectVotes(const std::vector<EdgeSample>& samples, const geometry::R
   Vote vote;
   Extent rows;
   Extent cols;
+  std::size_t along_rows = 0;
+  std::size_t along_cols = 0;
   for (const EdgeSample& sample : samples) {
     if (!near(sample, vote)) continue;
     rows.add(sample.row);
     cols.add(sample.col);
+    ++(sample.along_row ? along_rows : along_cols);
   }
   const bool by_rows = rows.length() >= cols.length();
   Extent crossed;
+  result.votes.reserve(by_rows ? along_rows : along_cols);
   for (const EdgeSample& sample : samples) {
     if (sample.along_row != by_rows || !near(sample, vote)) continue;
     result.votes.push_back(vote);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <mixed_palletizing/geometry/pose.hpp>
 
@@ -27,6 +28,7 @@ double distanceOf(const LevelPiece& a, const LevelPiece& b) {
 double medianPixel(std::vector<EdgeSample>& samples) {
   const auto middle = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
   std::vector<float> pixels;
+  pixels.reserve(samples.size());
   for (const EdgeSample& s : samples) pixels.push_back(s.pixel_m);
   const auto at = pixels.begin() + (middle - samples.begin());
   std::nth_element(pixels.begin(), at, pixels.end());
@@ -89,11 +91,17 @@ const std::vector<TopGroup>& TopGroups::find(const BaseCloud& cloud, const CellG
       std::replace(group.begin(), group.end(), from, to);
     }
   }
+  for (TopGroup& group_before : groups_) spare_.push_back(std::move(group_before.samples));
   groups_.clear();
   for (std::size_t first = 0; first < count; ++first) {
     if (group[first] != first || !outlines_[first].usable) continue;
     groups_.emplace_back();
     TopGroup& made = groups_.back();
+    if (!spare_.empty()) {
+      made.samples = std::move(spare_.back());
+      made.samples.clear();
+      spare_.pop_back();
+    }
     std::size_t most = 0;
     for (std::size_t i = first; i < count; ++i) {
       if (group[i] != first || !outlines_[i].usable) continue;
@@ -106,10 +114,12 @@ const std::vector<TopGroup>& TopGroups::find(const BaseCloud& cloud, const CellG
       made.largest = static_cast<int>(i);
       made.scale = outline.scale;
       made.pixel_m = outline.pixel_m;
+      made.yaw_rad = outline.yaw_rad;
       made.rays = outline.rays;
     }
     if (made.pieces.size() > 1) {
       made.rays.fit(cloud, made.box.grown(kRayMargin, cloud.width(), cloud.height()));
+      made.yaw_rad = sharpestYaw(made.samples, made.pixel_m);
     }
   }
   return groups_;

@@ -32,6 +32,7 @@ class TopGroups {
 
   std::vector<Outline> outlines_;
   std::vector<TopGroup> groups_;
+  std::vector<std::vector<EdgeSample>> spare_;  // memory of groups before
 };
 
 }  // namespace mixed_palletizing::detection

@@ -31,6 +31,7 @@ struct TopGroup {
   WalkScale scale;     ///< of the largest piece
   int largest = 0;     ///< piece
   double pixel_m = 0;  ///< length of a pixel on the top
+  double yaw_rad = 0;  ///< of the samples, see sharpestYaw()
 };
 
 /// Map from a top's axes to the pixels that see its level.
