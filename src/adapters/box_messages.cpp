@@ -37,6 +37,7 @@ Box toMessage(const detection::DetectedBox& box, std::size_t index) {
   message.size = vectorMessage(box.size);
   message.size_stddev = vectorMessage(box.size_stddev);
   message.top_center = pointMessage(box.top_center);
+  message.top_normal = vectorMessage(box.top_normal);
   message.top_visibility = box.top_visibility;
   message.point_count = box.point_count;
   message.flags = box.flags;

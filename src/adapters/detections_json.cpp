@@ -27,6 +27,7 @@ Json toJson(std::size_t id, const detection::DetectedBox& box) {
   json["id"] = id;
   json["center"] = toJson(box.center);
   json["top_center"] = toJson(box.top_center);
+  json["top_normal"] = toJson(box.top_normal);
   json["yaw"] = box.yaw_rad;
   json["size"] = toJson(box.size);
   json["size_stddev"] = toJson(box.size_stddev);

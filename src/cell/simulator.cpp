@@ -36,6 +36,7 @@ Box trueBox(const simulation::SceneBox& solid, std::size_t id) {
       geometry::poseFromYaw(top - Eigen::Vector3d(0, 0, 0.5 * height), footprint.yaw_rad));
   box.size = adapters::vectorMessage({footprint.size.x(), footprint.size.y(), height});
   box.top_center = adapters::pointMessage(top);
+  box.top_normal.z = 1.0;
   box.top_visibility = 1.0;
   return box;
 }

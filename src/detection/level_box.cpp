@@ -130,6 +130,7 @@ FoundBox describeTop(const LevelContext& context, const FittedTop& top) {
   const double height = top.surface.height_m;
   box.top_center = Eigen::Vector3d(r.center.x(), r.center.y(), height);
   box.center = Eigen::Vector3d(r.center.x(), r.center.y(), 0.5 * height);
+  box.top_normal = top.surface.normal();
   box.yaw_rad = r.yaw_rad;
   box.size = Eigen::Vector3d(r.size.x(), r.size.y(), height);
   estimateUncertainty(top.fit, top.surface, context.noise.ripple_m, context.options.box.max_side_m, box);

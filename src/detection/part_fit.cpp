@@ -15,6 +15,8 @@ constexpr double kEndShare = 0.08;  // of a side's length, at both ends: the oth
 constexpr int kRounds = 8;
 constexpr double kTukey = 4.685;
 constexpr double kNormalMedian = 0.6745;
+constexpr double kPictureShare =
+    0.75;                        // of a cell, that a side of the picture may stray whatever its places say
 constexpr double kSaw = 0.2887;  // standard deviation of a number rounded to whole cells
 
 struct Place {
@@ -144,7 +146,7 @@ PartFit fitPart(const TopPicture& picture, const TopPart& part) {
     const double independent =
         std::max(1.0, static_cast<double>(sides[i].size()) * picture.cell() / kReachOut_m);
     const double known = sides[i].empty() ? kReachOut_m : picture.cell() * spread[i] / std::sqrt(independent);
-    fit.sides[i].stddev_m = std::hypot(known, 0.25 * picture.cell());
+    fit.sides[i].stddev_m = std::hypot(known, kPictureShare * picture.cell());
     arm = std::max(arm, static_cast<double>(sides[i].size()) * picture.cell());
   }
   fit.yaw_stddev_rad = 2.0 * picture.cell() / std::max(arm, 1e-3);

@@ -54,6 +54,7 @@ std::optional<SideHeight> heightOfSides(const HeightRaster& raster, const TopSeg
   const std::array<Eigen::Vector2d, 4> normals{-rectangle.axisY(), rectangle.axisX(), rectangle.axisY(),
                                                -rectangle.axisX()};
   std::optional<SideHeight> best;
+  double largest = 0.0;
   for (std::size_t i = 0; i < 4; ++i) {
     const Eigen::Vector2d middle = 0.5 * (corners[i] + corners[(i + 1) % 4]);
     const Eigen::Vector3d ray(camera.x() - middle.x(), camera.y() - middle.y(), camera.z() - top_m);
@@ -67,9 +68,14 @@ std::optional<SideHeight> heightOfSides(const HeightRaster& raster, const TopSeg
     const auto agree =
         std::count_if(drops.begin(), drops.end(), [&](double d) { return std::abs(d - drop) < kAgree_m; });
     if (static_cast<double>(agree) < kMostSamples * samples) continue;
+    largest = std::max(largest, drop);
     if (best && best->height_m <= drop) continue;
     const double spread = drops[drops.size() * 5 / 6] - drops[drops.size() / 6];
     best = SideHeight{drop, std::max(0.5 * spread, 0.25 * step_m)};
+  }
+  // Sides that differ: one of them shows the top of a lower neighbour, or boxes below that stand flush.
+  if (best && largest - best->height_m > kAgree_m) {
+    best->stddev_m = std::hypot(best->stddev_m, 0.5 * (largest - best->height_m));
   }
   return best;
 }

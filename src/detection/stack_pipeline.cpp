@@ -26,8 +26,11 @@ constexpr double kStepSigmas = 2.5;    // of the noise: less is no step
 constexpr double kFinestCell_m = 0.002;
 constexpr double kHiddenShare =
     0.5;  // of a side that something higher borders: a piece of the top may be hidden
-constexpr double kSideStddev_m = 0.05;  // of such a side
-constexpr double kUnknownStddev = 0.5;  // of the height above the floor, for a height that is not known
+constexpr double kSideStddev_m = 0.05;   // of such a side
+constexpr double kUnknownStddev = 0.5;   // of the height above the floor, for a height that is not known
+constexpr double kStripShare = 4.0;      // length over width: more is a strip of a surface that goes on
+constexpr double kSlenderShare = 8.0;    // height over width: more does not stand
+constexpr double kKnownHeight_m = 0.02;  // standard deviation of a height by the sides: more is not known
 constexpr double kBorder_px = 2.0;
 constexpr int kDepthSamples = 64;  // along each side of the image
 
@@ -93,6 +96,8 @@ Detections StackPipeline::detect(const geometry::CloudView& view, const geometry
     examineSegment(cloud, noise, i, result);
   clock.done("boxes");
   label(cloud, result);
+  dropSparse(result);
+  doubtGaps();
   for (const Found& found : found_) result.boxes.push_back(found.box);
   flagTouching(result);
   if (keep_stages) keepStages(cloud, result);
@@ -107,23 +112,61 @@ void StackPipeline::examineSegment(const BaseCloud& cloud, const SensorNoise& no
                            sideDirection(raster_, segments_, number), step_m_);
   for (const TopPart& part : splitTop(picture, {options_.box.min_side_m})) {
     const PartFit fit = fitPart(picture, part);
-    const Eigen::Vector2d size = fit.rectangle.lengthFirst().size;
-    const std::string measured = text("the top is %.3f x %.3f m", size.x(), size.y());
-    if (!(size.y() >= options_.box.min_side_m)) {
-      reject(RejectReason::kTooSmall,
-             measured + text(", a side is less than %.3f m", options_.box.min_side_m), number, fit, result);
-    } else if (!(size.x() <= options_.box.max_side_m)) {
-      reject(RejectReason::kTooLarge,
-             measured + text(", a side is more than %.3f m", options_.box.max_side_m), number, fit, result);
-    } else if (fit.filled < options_.box.min_rectangularity) {
-      reject(RejectReason::kNotRectangular,
-             measured + text(", the surface fills %.2f of that, less than %.2f", fit.filled,
-                             options_.box.min_rectangularity),
-             number, fit, result);
+    const geometry::Rectangle top = fit.rectangle.lengthFirst();
+    const double top_m = segments_.segments()[static_cast<std::size_t>(number)].heightAt(top.center);
+    if (const auto refusal = judge(fit, top)) {
+      reject(*refusal, top, top_m, result);
+      continue;
+    }
+    const Found found = toBox(cloud, noise, number, fit);
+    if (const auto refusal = judgeSolid(fit, found)) {
+      reject(*refusal, top, top_m, result);
     } else {
-      found_.push_back(toBox(cloud, noise, number, fit));
+      found_.push_back(found);
     }
   }
+}
+
+/// Whether a part is a rectangle of a box's size.
+std::optional<Refusal> StackPipeline::judge(const PartFit& fit, const geometry::Rectangle& top) const {
+  const BoxOptions& limits = options_.box;
+  const std::string measured = text("the top is %.3f x %.3f m", top.size.x(), top.size.y());
+  if (!(top.size.y() >= limits.min_side_m)) {
+    return Refusal{RejectReason::kTooSmall,
+                   measured + text(", a side is less than %.3f m", limits.min_side_m)};
+  }
+  if (!(top.size.x() <= limits.max_side_m)) {
+    return Refusal{RejectReason::kTooLarge,
+                   measured + text(", a side is more than %.3f m", limits.max_side_m)};
+  }
+  if (fit.filled < limits.min_rectangularity) {
+    return Refusal{RejectReason::kNotRectangular,
+                   measured + text(", the surface fills %.2f of that, less than %.2f", fit.filled,
+                                   limits.min_rectangularity)};
+  }
+  return std::nullopt;
+}
+
+/// Whether a rectangle is a box for all that is seen of the rest of it.
+std::optional<Refusal> StackPipeline::judgeSolid(const PartFit& fit, const Found& found) const {
+  const Eigen::Vector3d& size = found.box.size;
+  const std::string measured = text("the top is %.3f x %.3f m", size.x(), size.y());
+  // Beside a long side that is hidden or cut off the surface goes on: a strip of a pallet or of a shelf shows there.
+  const bool turned = fit.rectangle.size.x() < fit.rectangle.size.y();
+  const bool hidden = turned ? std::max(fit.sides[1].above, fit.sides[3].above) >= kHiddenShare
+                             : std::max(fit.sides[0].above, fit.sides[2].above) >= kHiddenShare;
+  const bool cut = (found.box.flags & kTruncated) != 0;
+  if ((hidden || cut) && size.x() > kStripShare * size.y()) {
+    return Refusal{
+        RejectReason::kNotRectangular,
+        measured + text(", a strip %.1f times as long as wide of what goes on beyond its long side",
+                        size.x() / size.y())};
+  }
+  if ((found.box.flags & kHeightUnknown) == 0 && size.z() > kSlenderShare * size.y()) {
+    return Refusal{RejectReason::kTooLarge, measured + text(" and %.3f m high, %.1f times its width: a post",
+                                                            size.z(), size.z() / size.y())};
+  }
+  return std::nullopt;
 }
 
 StackPipeline::Found StackPipeline::toBox(const BaseCloud& cloud, const SensorNoise& noise, int number,
@@ -158,6 +201,7 @@ StackPipeline::Found StackPipeline::toBox(const BaseCloud& cloud, const SensorNo
   if (height) {
     box.size.z() = height->height_m;
     box.size_stddev.z() = std::hypot(height->stddev_m, std::hypot(top_stddev, noise.ripple_m));
+    if (height->stddev_m > kKnownHeight_m) setFlag(box, kHeightUnknown);
   } else {
     // Somewhere between its top and the floor; a box is seldom taller than it is wide.
     box.size.z() = std::min(top_m, box.size.y());
@@ -165,6 +209,7 @@ StackPipeline::Found StackPipeline::toBox(const BaseCloud& cloud, const SensorNo
     setFlag(box, kHeightUnknown);
   }
   box.top_center << found.footprint.center, top_m;
+  box.top_normal = Eigen::Vector3d(-top.slope.x(), -top.slope.y(), 1.0).normalized();
   box.center = box.top_center - Eigen::Vector3d(0.0, 0.0, 0.5 * box.size.z());
   box.top_visibility = std::min(1.0, fit.filled);
   if (top.slope.norm() * box.size.head<2>().norm() > options_.top.uneven_m + noise.ripple_m)
@@ -176,16 +221,15 @@ StackPipeline::Found StackPipeline::toBox(const BaseCloud& cloud, const SensorNo
   return found;
 }
 
-void StackPipeline::reject(RejectReason reason, const std::string& why, int number, const PartFit& fit,
+void StackPipeline::reject(const Refusal& refusal, const geometry::Rectangle& top, double top_m,
                            Detections& result) const {
   RejectedCluster rejected;
-  rejected.reason = reason;
-  rejected.text = why;
-  const double top_m = segments_.segments()[static_cast<std::size_t>(number)].heightAt(fit.rectangle.center);
-  rejected.centroid << fit.rectangle.center, top_m;
+  rejected.reason = refusal.reason;
+  rejected.text = refusal.text;
+  rejected.centroid << top.center, top_m;
   Eigen::Vector2d reach = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& corner : fit.rectangle.corners()) {
-    reach = reach.cwiseMax((corner - fit.rectangle.center).cwiseAbs());
+  for (const Eigen::Vector2d& corner : top.corners()) {
+    reach = reach.cwiseMax((corner - top.center).cwiseAbs());
   }
   rejected.extent << 2.0 * reach, 0.0;
   result.rejected.push_back(rejected);

@@ -1,7 +1,7 @@
 // Boxes in a stack, seen from above (mode depalletize).
 #pragma once
 
-#include <string>
+#include <optional>
 #include <vector>
 
 #include <mixed_palletizing/detection/detections.hpp>
@@ -10,6 +10,7 @@
 #include <mixed_palletizing/geometry/cloud_view.hpp>
 #include <mixed_palletizing/geometry/pose.hpp>
 
+#include "box_candidate.hpp"
 #include "height_raster.hpp"
 #include "part_fit.hpp"
 #include "sensor_noise.hpp"
@@ -37,9 +38,12 @@ class StackPipeline {
 
   void examineSegment(const BaseCloud& cloud, const SensorNoise& noise, int number, Detections& result);
   Found toBox(const BaseCloud& cloud, const SensorNoise& noise, int number, const PartFit& fit) const;
-  void reject(RejectReason reason, const std::string& text, int number, const PartFit& fit,
-              Detections& result) const;
+  std::optional<Refusal> judge(const PartFit& fit, const geometry::Rectangle& top) const;
+  std::optional<Refusal> judgeSolid(const PartFit& fit, const Found& found) const;
+  void reject(const Refusal& refusal, const geometry::Rectangle& top, double top_m, Detections& result) const;
   void label(const BaseCloud& cloud, Detections& result);
+  void dropSparse(Detections& result);
+  void doubtGaps();
   void flagTouching(Detections& result) const;
   void keepStages(const BaseCloud& cloud, Detections& result) const;
 

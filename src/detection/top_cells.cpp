@@ -83,6 +83,28 @@ double unevenness(const std::vector<TopCell>& cells, const geometry::Rectangle& 
   return largest;
 }
 
+/// Slope of the plane that fits the cells best, along x and y of the base frame.
+Eigen::Vector2d slopeOf(const std::vector<TopCell>& cells, const geometry::Rectangle& r) {
+  double n = 0.0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const TopCell& cell : cells) {
+    n += cell.weight;
+    mean += cell.weight * Eigen::Vector3d(cell.x, cell.y, cell.height);
+  }
+  if (n <= 0.0) return Eigen::Vector2d::Zero();
+  mean /= n;
+  Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d products = Eigen::Vector2d::Zero();
+  for (const TopCell& cell : cells) {
+    const Eigen::Vector2d d(cell.x - mean.x(), cell.y - mean.y());
+    squares += cell.weight * d * d.transpose();
+    products += cell.weight * (cell.height - mean.z()) * d;
+  }
+  if (!(squares.determinant() > 1e-9 * squares.trace() * squares.trace())) return Eigen::Vector2d::Zero();
+  const Eigen::Vector2d local = squares.inverse() * products;
+  return local.x() * r.axisX() + local.y() * r.axisY();
+}
+
 }  // namespace
 
 TopSurface measureCells(const LevelContext& context, const TopGroup& group,
@@ -94,6 +116,7 @@ TopSurface measureCells(const LevelContext& context, const TopGroup& group,
   if (group.scale.flat) {
     for (int i = 0; i < kTrimRounds; ++i) meanOf(cells, group.scale.band_m, surface);
   }
+  surface.slope = slopeOf(cells, rectangle);
   surface.uneven_m = unevenness(cells, rectangle, surface.height_m);
   return surface;
 }

@@ -1,6 +1,7 @@
 #include "top_split.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -19,6 +20,8 @@ constexpr double kSlopeStep = 0.0175;     // 1 degree
 constexpr double kFilled = 0.25;          // share of a row or column of a part that is top: less is outside
 constexpr double kLeastPart = 0.5;        // of the smallest box's area
 constexpr int kMostCuts = 200;
+constexpr int kCutParts = 4;          // of a cut: a label shows no seam in one of them at least
+constexpr double kLeastOfPart = 0.3;  // evidence
 
 double at(const PartSide& side, double along) { return side.offset + side.slope * along; }
 
@@ -83,19 +86,28 @@ struct Cut {
   double evidence = 0.0;
 };
 
-/// Mean evidence along a line through a part; nothing when too little of the line lies in it.
+/// Mean evidence along a line through a part; nothing when too little of the line lies in it, or when the evidence does
+/// not run from end to end.
 double evidenceAlong(const TopPicture& picture, const TopPart& part, const Bounds& b, const Cut& cut) {
   const int begin = cut.upright ? b.v_low : b.u_low;
   const int end = cut.upright ? b.v_high : b.u_high;
-  double sum = 0.0;
-  int count = 0;
+  std::array<double, kCutParts> sums{};
+  std::array<int, kCutParts> counts{};
   for (int along = begin; along < end; ++along) {
     const double across = at(cut.line, along);
     const double u = cut.upright ? across : along;
     const double v = cut.upright ? along : across;
     if (!inside(part, u, v)) continue;
-    sum += seamEvidence(picture, u, v, cut.upright);
-    ++count;
+    const auto k = static_cast<std::size_t>(kCutParts * (along - begin) / (end - begin));
+    sums[k] += seamEvidence(picture, u, v, cut.upright);
+    ++counts[k];
+  }
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    if (sums[k] < kLeastOfPart * counts[k]) return 0.0;
+    sum += sums[k];
+    count += counts[k];
   }
   return 2 * count > end - begin ? sum / count : 0.0;
 }

@@ -16,6 +16,10 @@ struct TopSurface {
   std::size_t count = 0;  ///< points that the mean is taken over
   double uneven_m = 0.0;  ///< largest distance of a well filled cell's mean height from the height: bulges,
                           ///< dents and tilt count, noise averages out
+  Eigen::Vector2d slope = Eigen::Vector2d::Zero();  ///< rise over run along x and y of the base frame
+
+  /// Upwards, length 1, base frame.
+  Eigen::Vector3d normal() const { return Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized(); }
 };
 
 /// Surface of the points of `top` well inside the rectangle. `start_m` is the height found so far; points farther

@@ -17,6 +17,7 @@ detection::Detections twoBoxes() {
   detection::DetectedBox& box = detections.boxes[1];
   box.center = {1.0, 2.0, 0.1};
   box.top_center = {1.0, 2.0, 0.2};
+  box.top_normal = {0.0, -0.6, 0.8};
   box.yaw_rad = -0.5;
   box.size = {0.4, 0.3, 0.2};
   box.size_stddev = {0.001, 0.002, 0.003};
@@ -54,6 +55,8 @@ TEST(BoxMessages, carryEveryField) {
   EXPECT_EQ(box.size.x, 0.4);
   EXPECT_EQ(box.size_stddev.z, 0.003);
   EXPECT_EQ(box.top_center.z, 0.2);
+  EXPECT_EQ(box.top_normal.y, -0.6);
+  EXPECT_EQ(box.top_normal.z, 0.8);
   EXPECT_EQ(box.top_visibility, 0.75);
   EXPECT_EQ(box.point_count, 1234u);
   EXPECT_EQ(box.flags, Box::OCCLUDED | Box::TOUCHING);

@@ -18,6 +18,7 @@ TEST(DetectionsJson, holdsEveryFieldOfTheFormat) {
   detection::DetectedBox box;
   box.center = Eigen::Vector3d(1.0, 2.0, 0.1);
   box.top_center = Eigen::Vector3d(1.0, 2.0, 0.2);
+  box.top_normal = Eigen::Vector3d(0.0, 0.6, 0.8);
   box.yaw_rad = 0.5;
   box.size = Eigen::Vector3d(0.3, 0.2, 0.2);
   box.size_stddev = Eigen::Vector3d(0.001, 0.002, 0.003);
@@ -41,6 +42,7 @@ TEST(DetectionsJson, holdsEveryFieldOfTheFormat) {
   EXPECT_EQ(second.at("size_stddev"), (std::vector<double>{0.001, 0.002, 0.003}));
   EXPECT_EQ(second.at("top_center"), (std::vector<double>{1.0, 2.0, 0.2}));
   EXPECT_EQ(second.at("center"), (std::vector<double>{1.0, 2.0, 0.1}));
+  EXPECT_EQ(second.at("top_normal"), (std::vector<double>{0.0, 0.6, 0.8}));
   EXPECT_EQ(second.at("yaw"), 0.5);
   EXPECT_EQ(second.at("top_visibility"), 0.75);
   EXPECT_EQ(second.at("point_count"), 1234);
