@@ -60,6 +60,7 @@ check show_report /usr/bin/python3 "$root/test/tools/test_show_report.py"
 check meshes /usr/bin/python3 "$root/test/tools/test_make_meshes.py"
 check docs /usr/bin/python3 "$root/test/tools/test_docs.py"
 check doxygen "$root/test/tools/test_doxygen.sh"
+check doc_commands /usr/bin/python3 "$root/test/tools/test_doc_commands.py"
 check pallet_report /usr/bin/python3 "$root/test/tools/test_pallet_report.py"
 check experiment_modules /usr/bin/python3 "$root/test/tools/test_experiment_modules.py"
 check run_experiments /usr/bin/python3 "$root/test/tools/test_run_experiments.py"
@@ -73,6 +74,7 @@ if [ -z "$fast" ]; then
   tested -R 'rostest' || true
   say "install space"
   check install_space "$root/test/tools/test_install_space.sh"
+  check debian_package "$root/test/tools/test_debian_package.sh"
 fi
 
 /usr/bin/python3 "$root/scripts/lib/count_tests.py" "$results" "$checks"

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -22,9 +23,11 @@ constexpr std::uint32_t kSpace = 0x4aa3df;
 constexpr std::uint32_t kNext = 0xff7f0e;
 constexpr double kLineM = 0.007;
 constexpr double kLetterM = 0.07;
-constexpr double kInflateM = 0.006;  // drawn around the cloud's points, which would otherwise hide the faces
-constexpr double kSigmas = 2.0;      // of the solid drawn around a box: 95 %
-constexpr double kCarrierM = 0.10;   // height of the carrier in the picture
+constexpr double kSmallestLetterM = 0.025;
+constexpr double kLetterShare = 0.3;  // of the width of a box
+constexpr double kInflateM = 0.006;   // drawn around the cloud's points, which would otherwise hide the faces
+constexpr double kSigmas = 2.0;       // of the solid drawn around a box: 95 %
+constexpr double kCarrierM = 0.10;    // height of the carrier in the picture
 
 std::string millimeters(const geometry_msgs::Vector3& size) {
   const auto mm = [](double m) {
@@ -123,6 +126,12 @@ void addSpaces(const PalletState& state, MarkerSet& set) {
   }
 }
 
+/// Height of the letters of a box's label: labels of small boxes side by side do not cover each other.
+double letterOf(const Box& box) {
+  return std::isfinite(box.size.y) ? std::clamp(kLetterShare * box.size.y, kSmallestLetterM, kLetterM)
+                                   : kLetterM;
+}
+
 void addBox(const Box& box, MarkerSet& set) {
   const geometry::Pose pose = poseOf(box.pose.pose);
   const Eigen::Vector3d size = toEigen(box.size).array() + kInflateM;
@@ -131,10 +140,11 @@ void addBox(const Box& box, MarkerSet& set) {
   set.edges("outlines", pose, size, 1.5 * kLineM, color(tone));
   set.edges("uncertainty", pose, size + 2.0 * kSigmas * sideDeviation(box, pose), kLineM / 3,
             color(kWhite, 0.7f));
-  const Eigen::Vector3d above = toEigen(box.top_center) + Eigen::Vector3d(0, 0, kLetterM);
-  set.text("labels", above, kLetterM,
+  const double letter = letterOf(box);
+  const Eigen::Vector3d above = toEigen(box.top_center) + Eigen::Vector3d(0, 0, letter);
+  set.text("labels", above, letter,
            "#" + std::to_string(box.id) + "  " + millimeters(box.size) + flagWords(box.flags), color(kWhite));
-  set.text("uncertainty_labels", above - Eigen::Vector3d(0, 0, 0.7 * kLetterM), 0.6 * kLetterM,
+  set.text("uncertainty_labels", above - Eigen::Vector3d(0, 0, 0.9 * letter), 0.6 * letter,
            deviationWords(box.size_stddev), color(kWhite, 0.8f));
 }
 

@@ -12,6 +12,7 @@ import unittest
 
 import rospy
 import rostest
+import yaml
 from mixed_palletizing.msg import BoxArray
 from visualization_msgs.msg import MarkerArray
 
@@ -49,6 +50,22 @@ class Runs(unittest.TestCase):
             self.assertNotEqual(run.returncode, 0, run.stdout)
             for word in wrong:  # the whole list at once
                 self.assertIn(word.split(':=')[0].split('/')[-1], run.stdout)
+
+    def test_dumped_parameters_load_again(self):
+        config = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), 'config')
+        for node, file, service, more in (('box_detector_node', 'box_detector.yaml', '/detect', []),
+                                          ('pick_planner', 'pick_planner.yaml', '/choose_next_pick', ['_journal/file:=none'])):
+            space, dump = '/dumped_' + node, self.path(file)
+            for command in (['load', os.path.join(config, file)], ['dump', dump], ['delete'], ['load', dump]):
+                subprocess.run(['rosparam', command[0], *command[1:], space], check=True, timeout=30)
+            with open(os.path.join(config, file)) as shipped:
+                self.assertEqual(rospy.get_param(space), yaml.safe_load(shipped))
+            process = subprocess.Popen(['rosrun', 'mixed_palletizing', node, '__name:=' + space[1:], *more])
+            try:
+                rospy.wait_for_service(space + service, 30.0)
+            finally:
+                process.terminate()
+                process.wait(30)
 
     def replay(self, bag, *arguments, timeout_s=90.0):
         boxes, markers = Latest('boxes', BoxArray), Latest('markers', MarkerArray)
