@@ -25,7 +25,8 @@ enum BoxFlag : std::uint8_t {
 struct DetectedBox {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();      ///< centre of the solid
   Eigen::Vector3d top_center = Eigen::Vector3d::Zero();  ///< centre of the top face
-  /// Of the plane that fits the top best, up, length 1: how far the top leans. Pose and size are those of an upright box.
+  /// Of the plane that fits the top best, up, length 1: how far the top leans. Pose and size are those of an
+  /// upright box.
   Eigen::Vector3d top_normal = Eigen::Vector3d::UnitZ();
   double yaw_rad = 0.0;                                  ///< of the length axis about z, in [-pi/2, pi/2)
   Eigen::Vector3d size = Eigen::Vector3d::Zero();        ///< length >= width, height

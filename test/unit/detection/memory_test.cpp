@@ -35,7 +35,8 @@ Measured measure(const simulation::Scene& scene, std::uint64_t seed, Mode mode) 
 
 void expectWithinHalfTheMessage(const simulation::Scene& scene, const Measured& measured) {
   const auto points = static_cast<std::size_t>(scene.camera.width_px * scene.camera.height_px);
-  EXPECT_GT(measured.first.peak_bytes, points * sizeof(std::uint16_t)) << "the labels alone are larger";
+  EXPECT_GT(measured.first.peak_bytes, points * sizeof(std::uint16_t))
+      << "not counted: the labels alone take as much";
   EXPECT_LE(measured.first.peak_bytes, points * kDriversPoint / 2);
 }
 
