@@ -143,6 +143,20 @@ std::optional<Placement> firstAccepted(const PalletState& state, std::vector<Pla
   return first == tries.end() ? std::nullopt : std::make_optional(*first);
 }
 
+/// By kDblf, where places must be judged: level by level, as most of the higher ones are never looked at.
+std::optional<Placement> deepestAccepted(const PalletState& state, const std::vector<Vec3>& sizes, int type) {
+  const std::vector<Space>& spaces = state.spaces();  // ordered by height first
+  for (std::size_t first = 0; first < spaces.size();) {
+    std::vector<Placement> tries;
+    const int level = spaces[first].min.z;
+    for (; first < spaces.size() && spaces[first].min.z == level; ++first) {
+      for (const Vec3& size : sizes) addTries(state, spaces[first], size, type, tries);
+    }
+    if (auto found = firstAccepted(state, std::move(tries), PlacementRule::kDblf)) return found;
+  }
+  return std::nullopt;
+}
+
 void checkItem(const std::vector<Vec3>& sizes, int type, const char* function) {
   if (type < 0) {
     throw std::invalid_argument(std::string(function) + ": type_index " + std::to_string(type) +
@@ -181,7 +195,10 @@ std::optional<Placement> findPlacement(const PalletState& state, const std::vect
         state, anywhere ? allCorners(state, sizes, type_index) : allPlacements(state, sizes, type_index),
         rule);
   }
-  if (!state.fullSupport()) return firstAccepted(state, allTries(state, sizes, type_index), rule);
+  if (!state.fullSupport()) {
+    return rule == PlacementRule::kDblf ? deepestAccepted(state, sizes, type_index)
+                                        : firstAccepted(state, allTries(state, sizes, type_index), rule);
+  }
   return rule == PlacementRule::kDblf ? deepest(state.spaces(), sizes, type_index)
                                       : nearest(state.spaces(), sizes, type_index);
 }

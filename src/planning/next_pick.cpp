@@ -31,8 +31,11 @@ std::optional<packing::Placement> findReachable(const packing::PalletState& pall
   return best == placements.end() ? std::nullopt : std::make_optional(*best);
 }
 
-Decision feasibleOptions(const Situation& situation, const PlannerOptions& options) {
+/// Once something fits, the rest is only looked at while there is time.
+Decision feasibleOptions(const Situation& situation, const PlannerOptions& options,
+                         const packing::StopCallback& stop) {
   Decision decision;
+  bool any = false;
   for (std::size_t i = 0; i < situation.available.size(); ++i) {
     const std::size_t first = firstOfType(situation.available, i);
     if (first < i) {
@@ -42,10 +45,16 @@ Decision feasibleOptions(const Situation& situation, const PlannerOptions& optio
     const int type = situation.available[i];
     const packing::ItemType& item = situation.types[static_cast<std::size_t>(type)];
     PickOption option;
+    if (any && stop && stop()) {
+      option.reason = "not looked at: the time was up";
+      decision.options.push_back(std::move(option));
+      continue;
+    }
     if (const auto placement =
             findReachable(situation.pallet, item, type, options.genetic.rule, options.gripper)) {
       option.feasible = true;
       option.placement = *placement;
+      any = true;
     } else {
       option.reason = whyNowhere(situation.pallet, item, type);
     }
@@ -118,7 +127,7 @@ std::vector<std::string> problems(const BestOptions& options) {
 Decision chooseNextPick(const Situation& situation, const PlannerOptions& options, std::uint64_t seed,
                         const packing::StopCallback& stop) {
   check(situation, options);
-  Decision decision = feasibleOptions(situation, options);
+  Decision decision = feasibleOptions(situation, options, stop);
   switch (options.method) {
     case PlanMethod::kDblf:
       chooseFirst(decision);
