@@ -65,6 +65,7 @@ check pallet_report /usr/bin/python3 "$root/test/tools/test_pallet_report.py"
 check experiment_modules /usr/bin/python3 "$root/test/tools/test_experiment_modules.py"
 check run_experiments /usr/bin/python3 "$root/test/tools/test_run_experiments.py"
 check clang_format formatted
+check journal_damage "$workspace/devel/lib/mixed_palletizing/journal_damage" --cut-step 500 --flips 500 --draws 1
 check catkin_lint linted
 
 say "unit tests"

@@ -2,6 +2,7 @@
 // ours: deepest = lowest z, then smallest y, then smallest x.
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <tuple>
@@ -20,8 +21,6 @@ bool fits(const Vec3& size, const Space& space) {
          size.z <= space.max.z - space.min.z;
 }
 
-bool sameCorner(const Space& a, const Space& b) { return a.min == b.min; }
-
 auto dblfKey(const Vec3& origin) { return std::make_tuple(origin.z, origin.y, origin.x); }
 
 std::int64_t squaredDistance(const Vec3& p) {
@@ -33,7 +32,7 @@ std::int64_t squaredDistance(const Vec3& p) {
 const Vec3* sizeAtCorner(const std::vector<Space>& spaces, std::size_t first,
                          const std::vector<Vec3>& sizes) {
   for (const Vec3& size : sizes) {
-    for (std::size_t i = first; i < spaces.size() && sameCorner(spaces[i], spaces[first]); ++i) {
+    for (std::size_t i = first; i < spaces.size() && spaces[i].min == spaces[first].min; ++i) {
       if (fits(size, spaces[i])) return &size;
     }
   }
@@ -113,10 +112,12 @@ std::vector<Placement> allTries(const PalletState& state, const std::vector<Vec3
   return tries;
 }
 
-std::vector<Placement> allPlacements(const PalletState& state, const std::vector<Vec3>& sizes, int type) {
+/// Those not yet judged when `stop` says so are left out.
+std::vector<Placement> allPlacements(const PalletState& state, const std::vector<Vec3>& sizes, int type,
+                                     const std::function<bool()>& stop = {}) {
   std::vector<Placement> placements = allTries(state, sizes, type);
   if (state.fullSupport()) return placements;
-  const auto refused = [&](const Placement& p) { return !state.accepts(p); };
+  const auto refused = [&](const Placement& p) { return (stop && stop()) || !state.accepts(p); };
   placements.erase(std::remove_if(placements.begin(), placements.end(), refused), placements.end());
   return placements;
 }
@@ -195,10 +196,8 @@ std::optional<Placement> findPlacement(const PalletState& state, const std::vect
         state, anywhere ? allCorners(state, sizes, type_index) : allPlacements(state, sizes, type_index),
         rule);
   }
-  if (!state.fullSupport()) {
-    return rule == PlacementRule::kDblf ? deepestAccepted(state, sizes, type_index)
-                                        : firstAccepted(state, allTries(state, sizes, type_index), rule);
-  }
+  if (!state.fullSupport() && rule == PlacementRule::kDblf) return deepestAccepted(state, sizes, type_index);
+  if (!state.fullSupport()) return firstAccepted(state, allTries(state, sizes, type_index), rule);
   return rule == PlacementRule::kDblf ? deepest(state.spaces(), sizes, type_index)
                                       : nearest(state.spaces(), sizes, type_index);
 }
@@ -208,9 +207,9 @@ std::vector<Placement> cornerPlacements(const PalletState& state, const ItemType
 }
 
 std::vector<Placement> cornerPlacements(const PalletState& state, const std::vector<Vec3>& sizes,
-                                        int type_index) {
+                                        int type_index, const std::function<bool()>& stop) {
   checkItem(sizes, type_index, "cornerPlacements");
-  std::vector<Placement> placements = allPlacements(state, sizes, type_index);
+  std::vector<Placement> placements = allPlacements(state, sizes, type_index, stop);
   const auto key = [](const Placement& p) { return std::make_tuple(dblfKey(p.origin), dblfKey(p.size)); };
   std::sort(placements.begin(), placements.end(),
             [&](const Placement& a, const Placement& b) { return key(a) < key(b); });

@@ -29,9 +29,10 @@ std::optional<packing::Placement> atSoundCorner(const packing::PalletState& pall
 
 /// Those that the pallet's rules allow.
 void addPlacements(const packing::PalletState& pallet, const std::vector<packing::Vec3>& sizes, int type,
-                   Trials trials, std::vector<packing::Placement>& placements) {
+                   Trials trials, const packing::StopCallback& stop,
+                   std::vector<packing::Placement>& placements) {
   if (!pallet.fullSupport() && trials == Trials::kThorough) {
-    placements = packing::cornerPlacements(pallet, sizes, type);
+    placements = packing::cornerPlacements(pallet, sizes, type, stop);
     return;
   }
   for (const packing::Vec3& size : sizes) {
@@ -54,11 +55,11 @@ void addPlacements(const packing::PalletState& pallet, const std::vector<packing
 }  // namespace
 
 void placementsOf(const packing::PalletState& pallet, const std::vector<packing::Vec3>& sizes, int type,
-                  Trials trials, const GripperEnvelope& gripper,
-                  std::vector<packing::Placement>& placements) {
+                  Trials trials, const GripperEnvelope& gripper, std::vector<packing::Placement>& placements,
+                  const packing::StopCallback& stop) {
   placements.clear();
   if (!pallet.carriesWeightOf(type)) return;
-  addPlacements(pallet, sizes, type, trials, placements);
+  addPlacements(pallet, sizes, type, trials, stop, placements);
   if (!gripper.isThere()) return;
   const auto touches = [&](const packing::Placement& p) { return !clears(gripper, pallet, p); };
   placements.erase(std::remove_if(placements.begin(), placements.end(), touches), placements.end());
@@ -74,7 +75,7 @@ std::vector<ScoredPlacement> scoredPlacements(const packing::PalletState& pallet
   bool stopped = false;
   for (const int type : types) {
     if (stopped) break;
-    placementsOf(pallet, policy.sizes(type), type, Trials::kThorough, gripper, placements);
+    placementsOf(pallet, policy.sizes(type), type, Trials::kThorough, gripper, placements, stop);
     --remaining[static_cast<std::size_t>(type)];
     for (const packing::Placement& placement : placements) {
       stopped = stop && stop();

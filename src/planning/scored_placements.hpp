@@ -24,9 +24,10 @@ enum class Trials {
 };
 
 /// Placements of an item that may stand in `sizes` which the gripper reaches; with full support each once, and
-/// kQuick and kThorough are the same.
+/// kQuick and kThorough are the same. When `stop` cuts kThorough short, those found until then.
 void placementsOf(const packing::PalletState& pallet, const std::vector<packing::Vec3>& sizes, int type,
-                  Trials trials, const GripperEnvelope& gripper, std::vector<packing::Placement>& placements);
+                  Trials trials, const GripperEnvelope& gripper, std::vector<packing::Placement>& placements,
+                  const packing::StopCallback& stop = {});
 
 /// All placements (kThorough) of one item of each type in `types` (sorted, distinct), best first. `remaining` is the count
 /// per type with these items. When `stop` cuts in, those rated until then.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,9 +38,9 @@ std::optional<Placement> findPlacement(const PalletState& state, const std::vect
 /// Where the state has no fullSupport() also flush with the edges of the tops below, as far as the rules allow.
 std::vector<Placement> cornerPlacements(const PalletState& state, const ItemType& type, int type_index);
 
-/// The same for an item given by the sizes in which it may stand.
+/// The same for an item given by the sizes in which it may stand; when `stop` says so, only those found so far.
 std::vector<Placement> cornerPlacements(const PalletState& state, const std::vector<Vec3>& sizes,
-                                        int type_index);
+                                        int type_index, const std::function<bool()>& stop = {});
 
 /// What is still to be placed, as far as the thesis' pruning rules (3.3.1) need it: the smallest volume, the
 /// smallest height and the smallest side of a footprint over all orientations of the remaining items.
