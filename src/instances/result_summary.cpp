@@ -34,7 +34,15 @@ double ResultSummary::perfectRatio() const { return ratio(perfect_, orders_); }
 double ResultSummary::meanUnpacked() const { return ratio(static_cast<double>(unpacked_), orders_); }
 double ResultSummary::meanUtilization() const { return ratio(utilization_, orders_); }
 
-std::string ResultSummary::text() const {
+int ResultSummary::late(double budget_ms) const {
+  constexpr double kGraceMs = 10.0;
+  constexpr double kGraceShare = 0.05;
+  const double latest = budget_ms + std::max(kGraceMs, kGraceShare * budget_ms);
+  return static_cast<int>(
+      std::count_if(decision_ms_.begin(), decision_ms_.end(), [latest](double ms) { return ms > latest; }));
+}
+
+std::string ResultSummary::text(double budget_ms) const {
   std::ostringstream out;
   out << std::fixed << "orders " << orders_ << std::setprecision(1) << "  perfect " << 100.0 * perfectRatio()
       << " %" << std::setprecision(2) << "  mean unpacked " << meanUnpacked() << "  mean utilization "
@@ -42,6 +50,7 @@ std::string ResultSummary::text() const {
   if (!decision_ms_.empty()) {
     const DecisionTimes ms = times();
     out << "  decision ms median " << ms.median_ms << " p99 " << ms.p99_ms << " max " << ms.max_ms;
+    if (budget_ms > 0.0) out << " late " << late(budget_ms);
   }
   return out.str();
 }

@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
       }
     });
     if (progress) std::cerr << '\n';
-    std::cout << summary.text() << '\n';
+    std::cout << summary.text(options.budget_ms) << '\n';
     return file.faults.empty() ? 0 : 1;
   });
 }

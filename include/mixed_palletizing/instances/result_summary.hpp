@@ -22,8 +22,12 @@ class ResultSummary {
   double meanUtilization() const;  ///< [0, 1]
   DecisionTimes times() const { return decisionTimes(decision_ms_); }
 
+  /// How many decisions took longer than their budget and 10 ms, or 5 % where that is more.
+  int late(double budget_ms) const;
+
   /// "orders 50  perfect 52.0 %  mean unpacked 0.70  mean utilization 97.81 %  decision ms median .. p99 .. max .."
-  std::string text() const;
+  /// and, with the budget [ms] of a decision, " late .."
+  std::string text(double budget_ms = 0.0) const;
 
  private:
   int orders_ = 0;

@@ -90,7 +90,8 @@ struct Decision {
 };
 
 /// Decides. Equal types among the available are judged once. Deterministic for the same situation, options and seed unless `stop` cuts the search short; it
-/// always answers with a feasible choice when one exists, even when `stop` is true from the start. Throws
+/// always answers with a feasible choice when one exists, even when `stop` is true from the start; items that were
+/// not looked at by then have that as their reason. Throws
 /// std::invalid_argument when `available` is not contained in `remaining` or an index is out of range.
 Decision chooseNextPick(const Situation& situation, const PlannerOptions& options, std::uint64_t seed,
                         const packing::StopCallback& stop);

@@ -236,6 +236,22 @@ TEST(ResultSummary, countsAndRanks) {
   EXPECT_EQ(summary.perfectRatio(), 0.5);
   EXPECT_EQ(summary.meanUnpacked(), 1.5);
   EXPECT_EQ(summary.meanUtilization(), 0.75);
+  summary.add(result, {300.0});
+  EXPECT_EQ(summary.late(289.0), 0);  // 5 % are more than 10 ms
+  EXPECT_EQ(summary.late(285.0), 1);
+  EXPECT_EQ(summary.late(1.0), 1);
+  EXPECT_EQ(summary.late(0.5), 1);
+  EXPECT_NE(summary.text(1.0).find(" max 300.00 late 1"), std::string::npos);
+}
+
+TEST(ResultSummary, tellsAllInALine) {
+  ResultSummary summary;
+  PackingResult result;
+  result.utilization = 1.0;
+  summary.add(result, {1.0});
+  result.unpacked = {3, 4, 5};
+  result.utilization = 0.5;
+  summary.add(result, {3.0});
   EXPECT_EQ(summary.text(),
             "orders 2  perfect 50.0 %  mean unpacked 1.50  mean utilization 75.00 %"
             "  decision ms median 1.00 p99 3.00 max 3.00");
