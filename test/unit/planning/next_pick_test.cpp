@@ -19,12 +19,14 @@ PlannerOptions optionsOf(PlanMethod method) {
   return options;
 }
 
-void expectSound(const Situation& situation, const PlannerOptions& options, const Decision& decision,
-                 int run) {
+/// `in_time`: every item was looked at.
+void expectSound(const Situation& situation, const PlannerOptions& options, const Decision& decision, int run,
+                 bool in_time = true) {
   ASSERT_EQ(decision.options.size(), situation.available.size()) << "seed 41, run " << run;
   bool any = false;
   for (std::size_t i = 0; i < decision.options.size(); ++i) {
     const PickOption& option = decision.options[i];
+    if (!in_time && option.reason == "not looked at: the time was up") continue;
     const int type = situation.available[i];
     const auto corners =
         packing::cornerPlacements(situation.pallet, situation.types[static_cast<std::size_t>(type)], type);
@@ -66,7 +68,7 @@ TEST(ChooseNextPick, isSoundOnRandomPallets) {
       const Decision again = chooseNextPick(situation, options, 7, kNever);
       EXPECT_EQ(again.chosen, decision.chosen) << "seed 41, run " << run;
       const Decision stopped = chooseNextPick(situation, options, 7, [] { return true; });
-      expectSound(situation, options, stopped, run);
+      expectSound(situation, options, stopped, run, false);
     }
   }
 }
