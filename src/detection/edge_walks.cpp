@@ -15,7 +15,12 @@ constexpr int kFaceEvery = 4;   // every so many walks
 constexpr double kBandSigmas = 3.5;
 constexpr double kLeastBand = 0.0006;   // [m]
 constexpr double kUnevenBand = 0.0015;  // [m] more where the surface is uneven
-constexpr double kLeastJump = 0.008;    // [m]
+constexpr double kUnevenBend = 0.0005;  // [m] more where an uneven surface is followed
+constexpr int kFollowedOn = 3;          // cells that it is followed for
+constexpr double kFollowedFrom =
+    0.004;                             // [m] before an end, where an uneven surface tells where it leads ...
+constexpr double kFollowedTo = 0.016;  // ... up to here: nearer, edges are round
+constexpr double kLeastJump = 0.008;   // [m]
 constexpr double kJumpSigmas = 8.0;
 
 /// Walks from the ends of the intervals of cells of one piece, along rows or along columns.
@@ -62,14 +67,16 @@ class PieceWalker {
     const int k = cells_.cellPx();
     const Cell& from = along_row ? cells_.at(line, cell) : cells_.at(cell, line);
     const LevelPiece& p = pieces_.pieces()[static_cast<std::size_t>(piece_)];
-    const double level = scale_.flat ? p.heightAt({from.x, from.y}) : from.height;
+    const WalkLevel level = scale_.flat ? WalkLevel{static_cast<float>(p.heightAt({from.x, from.y})), 0.0f, 0}
+                                        : followed(along_row, line, cell, step);
     const int lines = along_row ? cloud_.height() : cloud_.width();
     const int start = std::min(cell * k + k / 2, (along_row ? cloud_.width() : cloud_.height()) - 1);
     for (int at = line * k; at < std::min((line + 1) * k, lines); ++at) {
       int first = start;
       for (int walks = 0; walks < kMostGaps; ++walks) {
         SurfaceWalk walk(cloud_, rays_, scale_, along_row ? at : first, along_row ? first : at,
-                         along_row ? 0 : step, along_row ? step : 0, static_cast<float>(level));
+                         along_row ? 0 : step, along_row ? step : 0,
+                         walks == 0 ? level : WalkLevel{level.begin_m, 0.0f, 0});
         const int last = walk.go(k * kLongWalk);
         if (last < (walks == 0 ? 0 : kLeastStrip)) break;
         const int reached = (first + step * last - (other * k + k / 2)) * step;
@@ -81,6 +88,33 @@ class PieceWalker {
         first += step * walk.resumesAt();
       }
     }
+  }
+
+  /// Where the cells before an end lead to: a line through their heights, in pixels from the last one's middle.
+  WalkLevel followed(bool along_row, int line, int cell, int step) const {
+    double n = 0.0, x = 0.0, xx = 0.0, h = 0.0, xh = 0.0;
+    const Cell& last = cells_.at(along_row ? line : cell, along_row ? cell : line);
+    const double start = last.height;
+    for (int i = 1;; ++i) {
+      const int at = cell - i * step;
+      if (at < 0 || at >= (along_row ? cells_.cols() : cells_.rows()) || !member(along_row, line, at)) break;
+      const Cell& there = along_row ? cells_.at(line, at) : cells_.at(at, line);
+      const double distance = std::hypot(there.x - last.x, there.y - last.y);
+      if (distance > kFollowedTo) break;
+      if (distance < kFollowedFrom) continue;
+      const double d = -i * cells_.cellPx();
+      const double off = there.height - start;
+      n += 1.0;
+      x += d;
+      xx += d * d;
+      h += off;
+      xh += d * off;
+    }
+    const double spread = n * xx - x * x;
+    if (n < 3.0 || !(spread > 0.0)) return {static_cast<float>(start), 0.0f, 0};
+    const double rise = (n * xh - x * h) / spread;
+    return {static_cast<float>(start + (h - rise * x) / n), static_cast<float>(rise),
+            kFollowedOn * cells_.cellPx()};
   }
 
   const BaseCloud& cloud_;
@@ -103,6 +137,7 @@ WalkScale walkScale(const LevelPiece& piece, const SensorNoise& noise, const Ray
   scale.flat = piece.rms_m < 0.5 * scale.noise_m + 0.0002;
   scale.band_m = std::max(kLeastBand, kBandSigmas * std::hypot(scale.noise_m, piece.rms_m)) +
                  (scale.flat ? 0.0 : kUnevenBand);
+  scale.bend_m = scale.flat ? scale.band_m : std::max(kLeastBand, kBandSigmas * scale.noise_m) + kUnevenBend;
   scale.jump_m = std::max(kLeastJump, kJumpSigmas * depth_noise);
   return scale;
 }

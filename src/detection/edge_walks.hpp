@@ -37,7 +37,10 @@ struct EdgeSample {
   float pixel_m = 0.0f;                               ///< length of a pixel along the walk, on the surface
   float gap_m = 0.0f;                                 ///< kHole: from the end to where the level goes on
   int row = 0;
-  int col = 0;  ///< the last pixel on the surface
+  int col = 0;          ///< the last pixel on the surface
+  float drop_m = 0.0f;  ///< of the place (bent) or of the last pixel (else) below the surface
+  bool bent =
+      false;  ///< the surface bends down there; else it ends at a jump, and the place lies on its level
   bool along_row = true;
   bool has_face = false;
   bool soft =
@@ -54,6 +57,7 @@ struct EdgeSample {
 struct WalkScale {
   double noise_m = 0.0;  ///< standard deviation of a pixel's height
   double band_m = 0.0;   ///< pixels this near to the surface are on it
+  double bend_m = 0.0;   ///< the same where the surface is followed from cell to cell; band_m of a flat one
   double jump_m = 0.0;   ///< depths of neighbours that differ by more are two surfaces
   bool flat = true;      ///< the piece is its plane; else every cell its own level
 };

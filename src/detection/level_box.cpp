@@ -44,6 +44,7 @@ FitScale scaleOf(const LevelContext& context, const TopGroup& group) {
   scale.noise_m = group.scale.noise_m;
   scale.ripple_m = context.noise.ripple_m;
   scale.uneven_m = group.scale.flat ? 0.0 : piece.rms_m;
+  scale.bend_m = group.scale.bend_m;
   scale.camera = context.cloud.camera();
   scale.camera.z() -= piece.height_m;
   return scale;
@@ -101,6 +102,11 @@ std::optional<Refusal> judge(const LevelContext& context, const geometry::Rectan
 
 }  // namespace
 
+Refusal tooSteep(double tilt) {
+  return {RejectReason::kNoTopPlane,
+          text("the surface is tilted by %.0f degrees", std::atan(tilt) * 180.0 / M_PI)};
+}
+
 std::variant<FittedTop, Refusal> fitTop(const LevelContext& context, const TopGroup& group,
                                         const TopAxes& axes, const TopRaster& raster, const CoverBox& cover) {
   EdgeRectangle start;
@@ -112,10 +118,11 @@ std::variant<FittedTop, Refusal> fitTop(const LevelContext& context, const TopGr
   const LevelPiece& piece = context.pieces.pieces()[static_cast<std::size_t>(group.largest)];
   const geometry::Rectangle& r = top.fit.rectangle;
   const double tolerance = std::max({kOnSide, 2.5 * group.pixel_m, 0.5 * context.noise.floor_stddev_m});
-  top.outline = outlineOf(group, r, tolerance);
+  top.outline = outlineOf(group, top.fit.ends, tolerance);
   if (const auto refusal = judge(context, r.lengthFirst(), top.outline, top.fit, piece.points))
     return *refusal;
-  top.surface = measureCells(context, group, r, piece.heightAt(r.center));
+  top.surface = measureCells(context, group, top.fit, piece.heightAt(r.center));
+  if (top.surface.slope.norm() > kSteepestTop) return tooSteep(top.surface.slope.norm());
   const TopRaster::Count seen = raster.count(cover.box);
   top.visibility = std::min(1.0, static_cast<double>(seen.top) / std::max(1, seen.all - seen.free));
   return top;

@@ -24,6 +24,12 @@ struct LevelContext {
   const DetectionOptions& options;
 };
 
+/// Rise over run of a surface that is still a top.
+constexpr double kSteepestTop = 0.15;
+
+/// Why a surface with that rise over run is none.
+Refusal tooSteep(double tilt);
+
 /// The ends of the surface around a rectangle, by what they are [m of outline].
 struct OutlineShares {
   double on_sides = 0.0;
@@ -49,8 +55,8 @@ std::variant<FittedTop, Refusal> fitTop(const LevelContext& context, const TopGr
 /// The box below a top, standing on the floor.
 FoundBox describeTop(const LevelContext& context, const FittedTop& top);
 
-/// Surface of the cells well inside a rectangle, around a level.
-TopSurface measureCells(const LevelContext& context, const TopGroup& group,
-                        const geometry::Rectangle& rectangle, double level_m);
+/// Surface of the cells well inside a rectangle and its rounded edges, around a level. Dents count.
+TopSurface measureCells(const LevelContext& context, const TopGroup& group, const RectangleFit& fit,
+                        double level_m);
 
 }  // namespace mixed_palletizing::detection

@@ -34,7 +34,6 @@ namespace {
 constexpr int kStrayDivisor = 4;
 constexpr double kCellLength = 0.002;  // [m] that a cell should measure
 constexpr double kCellNoise = 18.0;    // square of a cell's side in pixels, over the noise in pixels
-constexpr double kSteepest = 0.15;     // rise over run of a surface that is still a top
 constexpr double kMinLine = 0.012;     // [m] of outline that make a line
 constexpr double kSideShare = 0.5;     // of the smallest side: rectangles that the cover may hold
 constexpr double kLargestShare = 3.0;  // of the largest side
@@ -104,11 +103,8 @@ class LevelPipeline : public DetectionPipeline {
                         static_cast<std::size_t>(options_.cluster.min_points)) {
       return;
     }
-    if (piece.slope.norm() > kSteepest) {
-      refuse(group,
-             {RejectReason::kNoTopPlane,
-              "the surface is tilted by " +
-                  std::to_string(std::lround(std::atan(piece.slope.norm()) * 180.0 / M_PI)) + " degrees"});
+    if (piece.slope.norm() > kSteepestTop) {
+      refuse(group, tooSteep(piece.slope.norm()));
       return;
     }
     TopAxes axes(piece.center, group.yaw_rad);

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include "rectangle_sides.hpp"
+#include "rounded_sides.hpp"
 #include "side_votes.hpp"
 
 namespace mixed_palletizing::detection {
@@ -20,14 +21,9 @@ constexpr double kNormalMedian = 0.6745;  // median of |x| for a standard normal
 constexpr double kSaw = 0.2887;           // standard deviation of a number rounded to whole pixels
 constexpr double kRippleShare = 0.5;      // of the shared error of points that moves a whole side
 
-constexpr double kFaceGate = 0.004;  // [m] samples this near to a side speak of its face
-constexpr std::size_t kMinFaces = 8;
-constexpr double kLeastRounding = 0.0004;  // [m] a face that stands out less is the side itself
-constexpr double kLeastOpening = 0.2;      // 1 - sine of the flattest ray that tells a radius
-constexpr double kSystematic = 0.15;       // [pixels] that a side may stray whatever its samples say
-constexpr double kUnevenShare = 0.4;       // of the surface's unevenness, that moves its sides
-constexpr double kWallStddev = 0.0006;     // [m] of a side by the wall before it: they may stand apart
-constexpr double kRoundingShare = 0.15;    // of the move, that the side remains uncertain by
+constexpr double kSystematic = 0.25;    // [pixels] that a side may stray whatever its samples say
+constexpr double kUnevenShare = 0.4;    // of the surface's unevenness, that moves its sides
+constexpr double kWallStddev = 0.0006;  // [m] of a side by the wall before it: they may stand apart
 
 /// Angle and four offsets, with their variances.
 struct Solution {
@@ -114,48 +110,6 @@ double fitVotes(std::array<SideVotes, 4>& sides, const std::array<bool, 4>& foun
   return scale;
 }
 
-/// How far a rounded edge of a face that is not in view goes on behind the ray that touches it: the ray leaves the
-/// round of radius r at r (1 - sin) below the top and r (1 - cos) before the face, by its angle with the vertical.
-double behindTheTangent(double drop_m, const Eigen::Vector2d& edge, const Eigen::Vector2d& normal,
-                        const Eigen::Vector3d& camera) {
-  const double tangent = normal.dot(edge - camera.head<2>()) / camera.z();
-  if (!(tangent > 0.0) || !(drop_m > 0.0)) return 0.0;
-  const double cosine = 1.0 / std::sqrt(1.0 + tangent * tangent);
-  const double sine = tangent * cosine;
-  return drop_m * (1.0 - cosine) / std::max(1.0 - sine, kLeastOpening);
-}
-
-/// Moves a side outwards to where its face is, when that stands out beyond the side.
-void moveOntoFace(const std::vector<EdgeSample>& samples, std::size_t side, const FitScale& scale,
-                  RectangleFit& fit) {
-  if (!fit.sides[side].found) return;
-  Rectangle& r = fit.rectangle;
-  const Axes axes(r);
-  const Eigen::Vector2d normal = kOutward[side].x() * axes.x + kOutward[side].y() * axes.y;
-  std::vector<double> beyond;
-  std::vector<double> drops;
-  for (const EdgeSample& sample : samples) {
-    if (!sample.has_face || sample.outward.dot(normal) < 0.3) continue;
-    const Eigen::Vector2d local = axes.local(sample.place);
-    if (std::abs(kOutward[side].dot(local) - halfAcross(r, side)) > kFaceGate) continue;
-    if (std::abs(alongOf(side).dot(local)) > 0.95 * halfAlong(r, side)) continue;
-    beyond.push_back(kOutward[side].dot(axes.local(sample.face)) - halfAcross(r, side));
-    drops.push_back(sample.face_drop_m);
-  }
-  if (beyond.size() < kMinFaces) return;
-  const double move =
-      median(beyond) +
-      behindTheTangent(median(drops), r.center + halfAcross(r, side) * normal, normal, scale.camera);
-  const double middle = median(beyond);
-  for (double& x : beyond) x = std::abs(x - middle);
-  const double stddev = median(beyond) / kNormalMedian / std::sqrt(static_cast<double>(beyond.size()));
-  if (move < std::max(kLeastRounding, 0.5 * scale.spacing_m) || move < 4.0 * stddev || move > kFaceGate * 3)
-    return;
-  r.center += 0.5 * move * normal;
-  r.size(side % 2 == 0 ? 1 : 0) += move;
-  fit.sides[side].stddev_m = std::hypot(fit.sides[side].stddev_m, stddev + kRoundingShare * move);
-}
-
 /// Variance of a side that no number of samples takes away.
 double systematic(const FitScale& scale) {
   const double pixel = kSystematic * scale.spacing_m;
@@ -215,13 +169,14 @@ RectangleFit fitRectangle(const std::vector<EdgeSample>& samples, const EdgeRect
         std::sqrt(s.turn_variance + shared_turn * shared_turn + systematic(scale) / (length * length));
     gate = std::max(2.0 * scale.spacing_m, std::min(gate, 4.0 * scatter));
   }
-  for (std::size_t i = 0; i < 4; ++i) moveOntoFace(samples, i, scale, fit);
+  fit.ends = fit.rectangle;
+  moveOntoFaces(samples, scale, fit);
   return fit;
 }
 
 RectangleFit keepRectangle(const EdgeRectangle& start, const FitScale& scale) {
   RectangleFit fit;
-  fit.rectangle = start.rectangle;
+  fit.rectangle = fit.ends = start.rectangle;
   const double stddev = scale.spacing_m + scale.noise_m;
   for (std::size_t i = 0; i < 4; ++i)
     fit.sides[i] = {start.side_found[i], 0, start.side_found[i] ? stddev : 0.0};

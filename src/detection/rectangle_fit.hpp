@@ -25,8 +25,10 @@ struct SideFit {
 
 struct RectangleFit {
   geometry::Rectangle rectangle;
+  geometry::Rectangle ends;      ///< the sides where the surface ends, before its rounded edges
   std::array<SideFit, 4> sides;  ///< in the order of Rectangle::corners()
   double yaw_stddev_rad = 0.0;
+  double rounding_m = 0.0;  ///< radius of the edges; 0 when they are sharp or nothing tells
   int foundSides() const;
 };
 
@@ -36,6 +38,7 @@ struct FitScale {
   double noise_m = 0.0;    ///< standard deviation of the points
   double ripple_m = 0.0;   ///< part of it that neighbouring points share
   double uneven_m = 0.0;   ///< standard deviation of the surface's own shape
+  double bend_m = 0.0;     ///< drop at which a surface that bends down has ended
   Eigen::Vector3d camera =
       Eigen::Vector3d(0.0, 0.0, 1e6);  ///< place, z above the top; default: straight above
 };

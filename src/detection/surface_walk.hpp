@@ -1,16 +1,26 @@
 // One walk over a surface along a row or a column, outwards until the surface ends.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "edge_walks.hpp"
 
 namespace mixed_palletizing::detection {
 
+/// Height of the surface along a walk: an uneven one is followed for a few cells only.
+struct WalkLevel {
+  float begin_m = 0.0f;
+  float rise_m = 0.0f;  ///< per pixel
+  int reach = 0;        ///< pixels that it rises for
+  float at(double i) const { return begin_m + rise_m * static_cast<float>(std::min<double>(i, reach)); }
+};
+
 class SurfaceWalk {
  public:
   SurfaceWalk(const BaseCloud& cloud, const RayModel& rays, const WalkScale& scale, int row, int col,
-              int down, int right, float level)
+              int down, int right, const WalkLevel& level)
       : cloud_(cloud),
         rays_(rays),
         scale_(scale),
@@ -41,7 +51,7 @@ class SurfaceWalk {
   /// Height of a pixel above the surface; not a number without data.
   float off(int i) const;
 
-  bool onSurface(float off) const { return std::abs(off) <= static_cast<float>(scale_.band_m); }
+  bool onSurface(float off) const { return std::abs(off) <= static_cast<float>(scale_.bend_m); }
 
   Eigen::Vector2d at(double i, double height) const;
 
@@ -67,6 +77,12 @@ class SurfaceWalk {
   /// Mean place of the deepest pixels of the face that begins at `begin`.
   void findFace(int begin, EdgeSample& s) const;
 
+  static constexpr std::size_t kFacePixels = 24;  // down a face
+  using FacePlaces = std::array<Eigen::Vector3d, kFacePixels>;
+
+  /// How many of the first places lie on a steep face: behind it the top of something lower may go on.
+  std::size_t faceEnd(const FacePlaces& places, std::size_t count) const;
+
   const BaseCloud& cloud_;
 
   const RayModel& rays_;
@@ -79,7 +95,7 @@ class SurfaceWalk {
 
   const int row_, col_, down_, right_;
 
-  const float level_;
+  const WalkLevel level_;
 
   int last_ = 0;
   int resumes_ = 0;

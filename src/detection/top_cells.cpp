@@ -24,11 +24,13 @@ struct TopCell {
   double x, y, height, weight;
 };
 
-std::vector<TopCell> innerCells(const LevelContext& context, const TopGroup& group,
-                                const geometry::Rectangle& r, double level_m) {
+std::vector<TopCell> innerCells(const LevelContext& context, const TopGroup& group, const RectangleFit& fit,
+                                double level_m) {
   std::vector<TopCell> cells;
   const int k = context.cells.cellPx();
-  const double inset = kInnerCells * k * group.pixel_m;
+  const geometry::Rectangle& r = fit.rectangle;
+  const double cell_m = k * group.pixel_m;
+  const double inset = std::max(kInnerCells * cell_m, fit.rounding_m + 0.5 * cell_m);
   const Eigen::Array2d inner = (0.5 * r.size.array() - inset).max((0.5 - kLargestInset) * r.size.array());
   const double reach = std::max(kReach, kReachBands * group.scale.band_m);
   const Eigen::Vector2d ax = r.axisX();
@@ -48,11 +50,12 @@ std::vector<TopCell> innerCells(const LevelContext& context, const TopGroup& gro
   return cells;
 }
 
+/// What hides a top lies above it; what lies below are its dents.
 void meanOf(const std::vector<TopCell>& cells, double reach_m, TopSurface& surface) {
   double n = 0.0, sum = 0.0, squares = 0.0;
   for (const TopCell& cell : cells) {
     const double off = cell.height - surface.height_m;
-    if (std::abs(off) > reach_m) continue;
+    if (off > reach_m) continue;
     n += cell.weight;
     sum += cell.weight * off;
     squares += cell.weight * off * off;
@@ -107,17 +110,17 @@ Eigen::Vector2d slopeOf(const std::vector<TopCell>& cells, const geometry::Recta
 
 }  // namespace
 
-TopSurface measureCells(const LevelContext& context, const TopGroup& group,
-                        const geometry::Rectangle& rectangle, double level_m) {
+TopSurface measureCells(const LevelContext& context, const TopGroup& group, const RectangleFit& fit,
+                        double level_m) {
   TopSurface surface;
   surface.height_m = level_m;
-  const std::vector<TopCell> cells = innerCells(context, group, rectangle, level_m);
+  const std::vector<TopCell> cells = innerCells(context, group, fit, level_m);
   meanOf(cells, INFINITY, surface);
   if (group.scale.flat) {
     for (int i = 0; i < kTrimRounds; ++i) meanOf(cells, group.scale.band_m, surface);
   }
-  surface.slope = slopeOf(cells, rectangle);
-  surface.uneven_m = unevenness(cells, rectangle, surface.height_m);
+  surface.slope = slopeOf(cells, fit.rectangle);
+  surface.uneven_m = unevenness(cells, fit.rectangle, surface.height_m);
   return surface;
 }
 

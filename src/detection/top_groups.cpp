@@ -18,6 +18,8 @@ constexpr double kUnevenShare = 2.0;      // of the roughness of both pieces
 constexpr double kSameYaw = 0.05;         // [rad]
 constexpr std::size_t kYawSamples = 250;  // of a piece whose yaw is to be believed
 constexpr std::size_t kOpenSamples = 4;   // that see more of the level, or something before it
+constexpr double kInsideShare = 0.95;     // of a dent's outline, that lies within the bounds of the top
+constexpr double kRisingShare = 0.55;     // of a dent's outline, where something higher begins
 
 /// Distance between two upright rectangles.
 double distanceOf(const LevelPiece& a, const LevelPiece& b) {
@@ -42,7 +44,7 @@ void TopGroups::trace(const BaseCloud& cloud, const CellGrid& cells, const Senso
   const LevelPiece& piece = pieces.pieces()[index];
   Outline& outline = outlines_[index];
   outline.samples.clear();
-  outline.usable = false;
+  outline.usable = outline.dent = false;
   const int k = cells.cellPx();
   outline.box =
       PixelBox{piece.row_min * k, (piece.row_max + 1) * k - 1, piece.col_min * k, (piece.col_max + 1) * k - 1}
@@ -54,10 +56,33 @@ void TopGroups::trace(const BaseCloud& cloud, const CellGrid& cells, const Senso
   outline.usable = true;
   outline.pixel_m = medianPixel(outline.samples);
   outline.yaw_rad = sharpestYaw(outline.samples, outline.pixel_m);
+  const TopAxes axes(Eigen::Vector2d::Zero(), outline.yaw_rad);
+  outline.bounds = LocalBox::none();
+  for (const EdgeSample& s : outline.samples) outline.bounds.include(axes.local(s.place));
   const auto open = std::count_if(outline.samples.begin(), outline.samples.end(), [](const EdgeSample& s) {
     return s.beyond == Beyond::kHole || s.beyond == Beyond::kOccluder || s.beyond == Beyond::kNoData;
   });
   outline.open = static_cast<std::size_t>(open) >= kOpenSamples;
+}
+
+/// A small piece a little below a larger one that ends on it nearly everywhere: the floor of a dent.
+bool TopGroups::isDent(const LevelPieces& pieces, std::size_t small, std::size_t large) const {
+  const LevelPiece& one = pieces.pieces()[small];
+  const LevelPiece& two = pieces.pieces()[large];
+  if (static_cast<double>(one.points) > kDentShare * static_cast<double>(two.points)) return false;
+  const double depth = two.heightAt(one.center) - one.height_m;
+  if (depth < 0.0 || depth > kDeepestDent) return false;
+  const Outline& dent = outlines_[small];
+  const Outline& around = outlines_[large];
+  const TopAxes axes(Eigen::Vector2d::Zero(), around.yaw_rad);
+  std::size_t inside = 0;
+  std::size_t rising = 0;
+  for (const EdgeSample& s : dent.samples) {
+    inside += around.bounds.contains(axes.local(s.place)) ? 1 : 0;
+    rising += s.beyond == Beyond::kWall || s.beyond == Beyond::kOccluder ? 1 : 0;
+  }
+  const double all = static_cast<double>(dent.samples.size());
+  return static_cast<double>(inside) > kInsideShare * all && static_cast<double>(rising) > kRisingShare * all;
 }
 
 bool TopGroups::together(const LevelPieces& pieces, std::size_t a, std::size_t b) const {
@@ -83,6 +108,12 @@ const std::vector<TopGroup>& TopGroups::find(const BaseCloud& cloud, const CellG
   std::vector<std::size_t> group(count);
   std::iota(group.begin(), group.end(), std::size_t{0});
   for (std::size_t i = 0; i < count; ++i) trace(cloud, cells, noise, pieces, i);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < count && outlines_[i].usable && !outlines_[i].dent; ++k) {
+      outlines_[i].dent = k != i && outlines_[k].usable && isDent(pieces, i, k);
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) outlines_[i].usable = outlines_[i].usable && !outlines_[i].dent;
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = i + 1; k < count; ++k) {
       if (group[i] == group[k] || !together(pieces, i, k)) continue;

@@ -24,10 +24,13 @@ class TopGroups {
     double yaw_rad = 0.0;
     double pixel_m = 0.0;
     bool open = false;  ///< the surface may go on beyond something
+    LocalBox bounds;    ///< of the samples, along the yaw
+    bool dent = false;  ///< lies in a larger piece
     bool usable = false;
   };
   void trace(const BaseCloud& cloud, const CellGrid& cells, const SensorNoise& noise,
              const LevelPieces& pieces, std::size_t piece);
+  bool isDent(const LevelPieces& pieces, std::size_t small, std::size_t large) const;
   bool together(const LevelPieces& pieces, std::size_t a, std::size_t b) const;
 
   std::vector<Outline> outlines_;

@@ -9,7 +9,6 @@ namespace {
 constexpr double kPitch = 0.002;  // [m]
 constexpr double kPitchPixels = 1.3;
 constexpr double kMargin = 0.012;  // [m] around the samples
-constexpr double kDent = 0.016;    // [m] surfaces less far below the level may be dents of it
 constexpr int kMaxPlaces = 400;    // per side
 
 }  // namespace
@@ -23,13 +22,8 @@ LevelMap mapOf(const LevelPiece& level, const RayModel& rays, const TopAxes& axe
 
 void TopRaster::fill(const BaseCloud& cloud, const CellGrid& cells, const LevelPieces& pieces,
                      const TopGroup& group, const TopAxes& axes) {
-  bounds_.low = Eigen::Vector2d::Constant(INFINITY);
-  bounds_.high = -bounds_.low;
-  for (const EdgeSample& s : group.samples) {
-    const Eigen::Vector2d local = axes.local(s.place);
-    bounds_.low = bounds_.low.cwiseMin(local);
-    bounds_.high = bounds_.high.cwiseMax(local);
-  }
+  bounds_ = LocalBox::none();
+  for (const EdgeSample& s : group.samples) bounds_.include(axes.local(s.place));
   pitch_m_ = std::max(kPitch, kPitchPixels * group.pixel_m);
   const double margin = std::max(kMargin, 3.0 * pitch_m_);
   bounds_.low.array() -= margin;
@@ -71,8 +65,12 @@ Seen TopRaster::look(const BaseCloud& cloud, const CellGrid& cells, const LevelP
   const double off = static_cast<double>(cloud.point(row, col).z()) - level;
   if (std::abs(off) <= group.scale.band_m) return Seen::kTop;
   if (off > 0.0) return Seen::kUnknown;
-  if (piece >= 0) return Seen::kFree;
-  return off < -std::max(kDent, 2.0 * group.scale.band_m) ? Seen::kFree : Seen::kUnknown;
+  if (off < -std::max(kDeepestDent, 2.0 * group.scale.band_m)) return Seen::kFree;
+  if (piece < 0) return Seen::kUnknown;
+  const auto points = [&](int i) {
+    return static_cast<double>(pieces.pieces()[static_cast<std::size_t>(i)].points);
+  };
+  return points(piece) < kDentShare * points(group.largest) ? Seen::kUnknown : Seen::kFree;
 }
 
 TopRaster::Count TopRaster::count(const LocalBox& box) const {

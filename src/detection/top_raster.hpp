@@ -1,6 +1,7 @@
 // What the camera saw of the level of a top, place by place: the top itself, something else, or nothing.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -8,12 +9,26 @@
 
 namespace mixed_palletizing::detection {
 
+/// Dents are smaller than this share of their top's largest piece, and at most so deep [m].
+constexpr double kDentShare = 0.3;
+constexpr double kDeepestDent = 0.016;
+
 /// Rectangle in a top's axes [m].
 struct LocalBox {
   Eigen::Vector2d low = Eigen::Vector2d::Zero();
   Eigen::Vector2d high = Eigen::Vector2d::Zero();
   Eigen::Vector2d size() const { return high - low; }
   double area() const { return size().prod(); }
+  bool contains(const Eigen::Vector2d& p) const {
+    return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
+  }
+  void include(const Eigen::Vector2d& p) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  static LocalBox none() {
+    return {Eigen::Vector2d::Constant(INFINITY), Eigen::Vector2d::Constant(-INFINITY)};
+  }
 };
 
 enum class Seen : std::uint8_t {
