@@ -65,18 +65,15 @@ class PieceWalker {
   /// Walks along every pixel line of a cell. `other`: the next cell of the piece that way, -1 for none.
   void walkFrom(bool along_row, int line, int cell, int step, int other) {
     const int k = cells_.cellPx();
-    const Cell& from = along_row ? cells_.at(line, cell) : cells_.at(cell, line);
-    const LevelPiece& p = pieces_.pieces()[static_cast<std::size_t>(piece_)];
-    const WalkLevel level = scale_.flat ? WalkLevel{static_cast<float>(p.heightAt({from.x, from.y})), 0.0f, 0}
-                                        : followed(along_row, line, cell, step);
+    const Lead lead = scale_.flat ? onPlane(along_row, line, cell) : followed(along_row, line, cell, step);
     const int lines = along_row ? cloud_.height() : cloud_.width();
-    const int start = std::min(cell * k + k / 2, (along_row ? cloud_.width() : cloud_.height()) - 1);
+    const int start = std::min(lead.cell * k + k / 2, (along_row ? cloud_.width() : cloud_.height()) - 1);
     for (int at = line * k; at < std::min((line + 1) * k, lines); ++at) {
       int first = start;
       for (int walks = 0; walks < kMostGaps; ++walks) {
         SurfaceWalk walk(cloud_, rays_, scale_, along_row ? at : first, along_row ? first : at,
                          along_row ? 0 : step, along_row ? step : 0,
-                         walks == 0 ? level : WalkLevel{level.begin_m, 0.0f, 0});
+                         walks == 0 ? lead.level : WalkLevel{lead.level.begin_m, 0.0f, 0});
         const int last = walk.go(k * kLongWalk);
         if (last < (walks == 0 ? 0 : kLeastStrip)) break;
         const int reached = (first + step * last - (other * k + k / 2)) * step;
@@ -90,19 +87,41 @@ class PieceWalker {
     }
   }
 
-  /// Where the cells before an end lead to: a line through their heights, in pixels from the last one's middle.
-  WalkLevel followed(bool along_row, int line, int cell, int step) const {
+  /// Where a walk starts, and the heights that it goes by.
+  struct Lead {
+    int cell = 0;
+    WalkLevel level;
+  };
+
+  const Cell& cellAt(bool along_row, int line, int i) const {
+    return along_row ? cells_.at(line, i) : cells_.at(i, line);
+  }
+
+  Lead onPlane(bool along_row, int line, int cell) const {
+    const Cell& from = cellAt(along_row, line, cell);
+    const LevelPiece& p = pieces_.pieces()[static_cast<std::size_t>(piece_)];
+    return {cell, {static_cast<float>(p.heightAt({from.x, from.y})), 0.0f, 0}};
+  }
+
+  /// The cells some way before an end lead to it by a line through their heights: those at the end may lie on a
+  /// rounded edge.
+  Lead followed(bool along_row, int line, int cell, int step) const {
     double n = 0.0, x = 0.0, xx = 0.0, h = 0.0, xh = 0.0;
-    const Cell& last = cells_.at(along_row ? line : cell, along_row ? cell : line);
-    const double start = last.height;
+    const Cell& last = cellAt(along_row, line, cell);
+    int first = 0;  // cells back
+    double start = last.height;
     for (int i = 1;; ++i) {
       const int at = cell - i * step;
       if (at < 0 || at >= (along_row ? cells_.cols() : cells_.rows()) || !member(along_row, line, at)) break;
-      const Cell& there = along_row ? cells_.at(line, at) : cells_.at(at, line);
+      const Cell& there = cellAt(along_row, line, at);
       const double distance = std::hypot(there.x - last.x, there.y - last.y);
       if (distance > kFollowedTo) break;
       if (distance < kFollowedFrom) continue;
-      const double d = -i * cells_.cellPx();
+      if (first == 0) {
+        first = i;
+        start = there.height;
+      }
+      const double d = (first - i) * cells_.cellPx();
       const double off = there.height - start;
       n += 1.0;
       x += d;
@@ -111,10 +130,11 @@ class PieceWalker {
       xh += d * off;
     }
     const double spread = n * xx - x * x;
-    if (n < 3.0 || !(spread > 0.0)) return {static_cast<float>(start), 0.0f, 0};
+    if (n < 3.0 || !(spread > 0.0)) return {cell, {last.height, 0.0f, 0}};
     const double rise = (n * xh - x * h) / spread;
-    return {static_cast<float>(start + (h - rise * x) / n), static_cast<float>(rise),
-            kFollowedOn * cells_.cellPx()};
+    return {cell - first * step,
+            {static_cast<float>(start + (h - rise * x) / n), static_cast<float>(rise),
+             (first + kFollowedOn) * cells_.cellPx()}};
   }
 
   const BaseCloud& cloud_;

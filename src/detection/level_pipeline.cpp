@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "box_labels.hpp"
 #include "detection_pipeline.hpp"
@@ -168,8 +169,12 @@ class LevelPipeline : public DetectionPipeline {
 
   /// A level surface inside the footprint of a box and below its top is a part of that box.
   void dropParts() {
-    std::sort(tops_.begin(), tops_.end(), [](const FittedTop& a, const FittedTop& b) {
-      return a.fit.rectangle.area() > b.fit.rectangle.area();
+    const auto points = [&](const FittedTop& top) {
+      return pieces_.pieces()[static_cast<std::size_t>(top.group->largest)].points;
+    };
+    std::stable_sort(tops_.begin(), tops_.end(), [&](const FittedTop& a, const FittedTop& b) {
+      return std::make_pair(points(a), a.fit.rectangle.area()) >
+             std::make_pair(points(b), b.fit.rectangle.area());
     });
     std::vector<FittedTop> kept;
     for (const FittedTop& top : tops_) {

@@ -22,7 +22,7 @@ constexpr double kSaw = 0.2887;           // standard deviation of a number roun
 constexpr double kRippleShare = 0.5;      // of the shared error of points that moves a whole side
 
 constexpr double kSystematic = 0.25;    // [pixels] that a side may stray whatever its samples say
-constexpr double kUnevenShare = 0.4;    // of the surface's unevenness, that moves its sides
+constexpr double kUnevenShare = 0.15;   // of the surface's unevenness, that moves its sides
 constexpr double kWallStddev = 0.0006;  // [m] of a side by the wall before it: they may stand apart
 
 /// Angle and four offsets, with their variances.

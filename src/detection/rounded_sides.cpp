@@ -16,7 +16,8 @@ constexpr double kLeastMove = 0.00015;    // [m] a face that stands out less is 
 constexpr double kLeastShare = 0.06;      // ... and this share of the drop at which the surface ends
 constexpr double kLargestMove = 0.012;    // [m]
 constexpr double kLeastOpening = 0.2;     // 1 - sine of the flattest ray that tells a radius
-constexpr double kUncertainShare = 0.15;  // of the move, that the side remains uncertain by
+constexpr double kUncertainShare = 0.15;  // of the move, that a side remains uncertain by
+constexpr double kGuessedShare = 0.2;     // the same of a side that takes the radius of others
 constexpr double kNormalMedian = 0.6745;  // median of |x| for a standard normal x
 constexpr double kCornerShare = 0.95;     // of a side
 
@@ -82,14 +83,14 @@ class Side {
   }
 
   /// Moves the side when that is more than the noise of the samples; returns whether it did.
-  bool move(double by_m) {
+  bool move(double by_m, double uncertain_share) {
     if (by_m < kLeastMove + kLeastShare * scale_.bend_m || by_m < 4.0 * stddev_ || by_m > kLargestMove) {
       return false;
     }
     fit_.rectangle.center += 0.5 * by_m * normal_;
     fit_.rectangle.size(side_ % 2 == 0 ? 1 : 0) += by_m;
     SideFit& side = fit_.sides[side_];
-    side.stddev_m = std::hypot(side.stddev_m, stddev_ + kUncertainShare * by_m);
+    side.stddev_m = std::hypot(side.stddev_m, stddev_ + uncertain_share * by_m);
     return true;
   }
 
@@ -140,8 +141,9 @@ void moveOntoFaces(const std::vector<EdgeSample>& samples, const FitScale& scale
     Side side(scale, fit, i);
     if (!fit.sides[i].found) continue;
     auto beyond = side.faceBeyond(samples);
-    if (round && !faces[i]) beyond = side.restOfRound(samples, fit.rounding_m);
-    if (!beyond || !side.move(*beyond) || round) continue;
+    const bool guessed = round && !faces[i];
+    if (guessed) beyond = side.restOfRound(samples, fit.rounding_m);
+    if (!beyond || !side.move(*beyond, guessed ? kGuessedShare : kUncertainShare) || round) continue;
     fit.rounding_m = std::max(fit.rounding_m, radiusOf(*beyond, scale.bend_m));
   }
 }

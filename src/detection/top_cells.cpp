@@ -53,15 +53,17 @@ std::vector<TopCell> innerCells(const LevelContext& context, const TopGroup& gro
 /// What hides a top lies above it; what lies below are its dents.
 void meanOf(const std::vector<TopCell>& cells, double reach_m, TopSurface& surface) {
   double n = 0.0, sum = 0.0, squares = 0.0;
+  std::size_t count = 0;
   for (const TopCell& cell : cells) {
     const double off = cell.height - surface.height_m;
     if (off > reach_m) continue;
+    ++count;
     n += cell.weight;
     sum += cell.weight * off;
     squares += cell.weight * off * off;
   }
   if (n <= 0.0) return;
-  surface.count = static_cast<std::size_t>(n);
+  surface.count = count;
   surface.stddev_m = std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n)));
   surface.height_m += sum / n;
 }

@@ -19,12 +19,26 @@ constexpr double kSameYaw = 0.05;         // [rad]
 constexpr std::size_t kYawSamples = 250;  // of a piece whose yaw is to be believed
 constexpr std::size_t kOpenSamples = 4;   // that see more of the level, or something before it
 constexpr double kInsideShare = 0.95;     // of a dent's outline, that lies within the bounds of the top
-constexpr double kRisingShare = 0.55;     // of a dent's outline, where something higher begins
+constexpr double kEnclosedShare = 0.55;   // of a dent's outline, where the top begins
+constexpr int kRimCells = 4;              // on the slope of a dent, between its floor and the top
 
 /// Distance between two upright rectangles.
 double distanceOf(const LevelPiece& a, const LevelPiece& b) {
   const Eigen::Vector2d gap = (a.low - b.high).cwiseMax(b.low - a.high).cwiseMax(Eigen::Vector2d::Zero());
   return gap.norm();
+}
+
+/// Whether the outline borders on a piece there.
+bool isBeside(const CellGrid& cells, const LevelPieces& pieces, const EdgeSample& s, int piece) {
+  const int row = s.row / cells.cellPx();
+  const int col = s.col / cells.cellPx();
+  for (int d = -kRimCells; d <= kRimCells; ++d) {
+    const int r = row + (s.along_row ? 0 : d);
+    const int c = col + (s.along_row ? d : 0);
+    if (r < 0 || c < 0 || r >= cells.rows() || c >= cells.cols()) continue;
+    if (pieces.pieceOf(cells.index(r, c)) == piece) return true;
+  }
+  return false;
 }
 
 double medianPixel(std::vector<EdgeSample>& samples) {
@@ -44,7 +58,8 @@ void TopGroups::trace(const BaseCloud& cloud, const CellGrid& cells, const Senso
   const LevelPiece& piece = pieces.pieces()[index];
   Outline& outline = outlines_[index];
   outline.samples.clear();
-  outline.usable = outline.dent = false;
+  outline.usable = false;
+  outline.dent_of.reset();
   const int k = cells.cellPx();
   outline.box =
       PixelBox{piece.row_min * k, (piece.row_max + 1) * k - 1, piece.col_min * k, (piece.col_max + 1) * k - 1}
@@ -66,7 +81,8 @@ void TopGroups::trace(const BaseCloud& cloud, const CellGrid& cells, const Senso
 }
 
 /// A small piece a little below a larger one that ends on it nearly everywhere: the floor of a dent.
-bool TopGroups::isDent(const LevelPieces& pieces, std::size_t small, std::size_t large) const {
+bool TopGroups::isDent(const CellGrid& cells, const LevelPieces& pieces, std::size_t small,
+                       std::size_t large) const {
   const LevelPiece& one = pieces.pieces()[small];
   const LevelPiece& two = pieces.pieces()[large];
   if (static_cast<double>(one.points) > kDentShare * static_cast<double>(two.points)) return false;
@@ -76,13 +92,25 @@ bool TopGroups::isDent(const LevelPieces& pieces, std::size_t small, std::size_t
   const Outline& around = outlines_[large];
   const TopAxes axes(Eigen::Vector2d::Zero(), around.yaw_rad);
   std::size_t inside = 0;
-  std::size_t rising = 0;
+  std::size_t enclosed = 0;
   for (const EdgeSample& s : dent.samples) {
     inside += around.bounds.contains(axes.local(s.place)) ? 1 : 0;
-    rising += s.beyond == Beyond::kWall || s.beyond == Beyond::kOccluder ? 1 : 0;
+    enclosed += isBeside(cells, pieces, s, static_cast<int>(large)) ? 1 : 0;
   }
   const double all = static_cast<double>(dent.samples.size());
-  return static_cast<double>(inside) > kInsideShare * all && static_cast<double>(rising) > kRisingShare * all;
+  return static_cast<double>(inside) > kInsideShare * all &&
+         static_cast<double>(enclosed) > kEnclosedShare * all;
+}
+
+/// A dent takes no part in the groups.
+void TopGroups::findDents(const CellGrid& cells, const LevelPieces& pieces) {
+  const std::size_t count = pieces.pieces().size();
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < count && outlines_[i].usable && !outlines_[i].dent_of; ++k) {
+      if (k != i && outlines_[k].usable && isDent(cells, pieces, i, k)) outlines_[i].dent_of = k;
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) outlines_[i].usable = outlines_[i].usable && !outlines_[i].dent_of;
 }
 
 bool TopGroups::together(const LevelPieces& pieces, std::size_t a, std::size_t b) const {
@@ -108,12 +136,7 @@ const std::vector<TopGroup>& TopGroups::find(const BaseCloud& cloud, const CellG
   std::vector<std::size_t> group(count);
   std::iota(group.begin(), group.end(), std::size_t{0});
   for (std::size_t i = 0; i < count; ++i) trace(cloud, cells, noise, pieces, i);
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = 0; k < count && outlines_[i].usable && !outlines_[i].dent; ++k) {
-      outlines_[i].dent = k != i && outlines_[k].usable && isDent(pieces, i, k);
-    }
-  }
-  for (std::size_t i = 0; i < count; ++i) outlines_[i].usable = outlines_[i].usable && !outlines_[i].dent;
+  findDents(cells, pieces);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = i + 1; k < count; ++k) {
       if (group[i] == group[k] || !together(pieces, i, k)) continue;
@@ -138,6 +161,9 @@ const std::vector<TopGroup>& TopGroups::find(const BaseCloud& cloud, const CellG
       if (group[i] != first || !outlines_[i].usable) continue;
       const Outline& outline = outlines_[i];
       made.pieces.push_back(static_cast<int>(i));
+      for (std::size_t k = 0; k < count; ++k) {
+        if (outlines_[k].dent_of == i) made.dents.push_back(static_cast<int>(k));
+      }
       made.box.include(outline.box);
       made.samples.insert(made.samples.end(), outline.samples.begin(), outline.samples.end());
       if (pieces.pieces()[i].points <= most) continue;

@@ -2,6 +2,7 @@
 // hides the middle.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "top_raster.hpp"
@@ -23,14 +24,15 @@ class TopGroups {
     std::vector<EdgeSample> samples;
     double yaw_rad = 0.0;
     double pixel_m = 0.0;
-    bool open = false;  ///< the surface may go on beyond something
-    LocalBox bounds;    ///< of the samples, along the yaw
-    bool dent = false;  ///< lies in a larger piece
+    bool open = false;                   ///< the surface may go on beyond something
+    LocalBox bounds;                     ///< of the samples, along the yaw
+    std::optional<std::size_t> dent_of;  ///< larger piece that it lies in
     bool usable = false;
   };
   void trace(const BaseCloud& cloud, const CellGrid& cells, const SensorNoise& noise,
              const LevelPieces& pieces, std::size_t piece);
-  bool isDent(const LevelPieces& pieces, std::size_t small, std::size_t large) const;
+  bool isDent(const CellGrid& cells, const LevelPieces& pieces, std::size_t small, std::size_t large) const;
+  void findDents(const CellGrid& cells, const LevelPieces& pieces);
   bool together(const LevelPieces& pieces, std::size_t a, std::size_t b) const;
 
   std::vector<Outline> outlines_;

@@ -33,6 +33,7 @@ void TopRaster::fill(const BaseCloud& cloud, const CellGrid& cells, const LevelP
   rows_ = static_cast<int>(std::ceil(bounds_.size().y() / pitch_m_));
   member_.assign(pieces.pieces().size(), 0);
   for (const int piece : group.pieces) member_[static_cast<std::size_t>(piece)] = 1;
+  for (const int piece : group.dents) member_[static_cast<std::size_t>(piece)] = 1;
   top_.assign(at(0, rows_ + 1), 0);
   free_.assign(top_.size(), 0);
   const LevelPiece& level = pieces.pieces()[static_cast<std::size_t>(group.largest)];

@@ -40,6 +40,7 @@ enum class Seen : std::uint8_t {
 /// Pieces that may be parts of the same tops.
 struct TopGroup {
   std::vector<int> pieces;
+  std::vector<int> dents;  ///< pieces that lie in dents of these
   std::vector<EdgeSample> samples;
   RayModel rays;
   PixelBox box;

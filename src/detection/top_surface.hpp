@@ -13,7 +13,7 @@ namespace mixed_palletizing::detection {
 struct TopSurface {
   double height_m = 0.0;  ///< mean of the heights, trimmed to the same distance above and below
   double stddev_m = 0.0;
-  std::size_t count = 0;  ///< points that the mean is taken over
+  std::size_t count = 0;  ///< points, or cells of points, that the mean is taken over and the deviation is of
   double uneven_m = 0.0;  ///< largest distance of a well filled cell's mean height from the height: bulges,
                           ///< dents and tilt count, noise averages out
   Eigen::Vector2d slope = Eigen::Vector2d::Zero();  ///< rise over run along x and y of the base frame

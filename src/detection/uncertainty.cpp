@@ -8,9 +8,10 @@ namespace {
 
 // The floor under the box is not seen; it strays from the plane by a share of the floor's own roughness.
 constexpr double kHiddenFloorShare = 0.3;
+// Of the unevenness, that the mean height of a top may be off by: when all of its sides are seen, and when not.
+constexpr double kUnevenShare = 0.04;
+constexpr double kUnevenShareOpen = 0.25;
 // [m] What remains of a height when nothing is noisy: the last digits of the floor's plane.
-constexpr double kUnevenShare =
-    0.04;  // of the unevenness, that the mean height of what is seen may be off by
 constexpr double kLeastHeight = 1e-5;
 
 double squared(double x) { return x * x; }
@@ -34,7 +35,7 @@ void estimateUncertainty(const RectangleFit& fit, const TopSurface& top, double 
   const double along_x = side[1] + side[3];
   const double along_y = side[0] + side[2];
   const double height = squared(kHiddenFloorShare * ripple_m) + squared(kLeastHeight) +
-                        squared(kUnevenShare * top.uneven_m) +
+                        squared((fit.foundSides() < 4 ? kUnevenShareOpen : kUnevenShare) * top.uneven_m) +
                         squared(top.stddev_m) / static_cast<double>(std::max<std::size_t>(top.count, 1));
   const bool turned = r.size.x() < r.size.y();
   box.size_stddev = Eigen::Vector3d(std::sqrt(turned ? along_y : along_x),

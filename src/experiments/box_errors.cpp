@@ -71,7 +71,9 @@ BoxErrors boxErrors(const TrueBox& truth, const detection::DetectedBox& box, con
   Eigen::Vector2d real = truth.size.head<2>();
   double real_yaw = truth.yaw_rad;
   const double straight = std::abs(geometry::foldHalfTurn(box.yaw_rad - real_yaw));
-  if (real.x() - real.y() < kNearlySquare && straight > M_PI / 4) {
+  // Of a side that is not known to its end nobody can say whether it is the longer one.
+  const bool open = (box.flags & detection::kIncomplete) != 0u || real.x() - real.y() < kNearlySquare;
+  if (open && straight > M_PI / 4) {
     std::swap(real.x(), real.y());
     real_yaw += M_PI / 2;
   }

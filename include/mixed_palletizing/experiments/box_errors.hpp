@@ -39,8 +39,8 @@ struct BoxErrors {
   static constexpr double kKnownStddev = 0.01;  ///< [m]
 };
 
-/// The yaw is compared modulo half a turn. When the true sides differ by less than kNearlySquare, the
-/// detection's length may lie along the true width: whichever gives the smaller angle. `found_base` and
+/// The yaw is compared modulo half a turn. When the true sides differ by less than kNearlySquare, or the detection
+/// is INCOMPLETE, its length may lie along the true width: whichever gives the smaller angle. `found_base` and
 /// `true_base` are base_from_camera as found and as it is.
 BoxErrors boxErrors(const TrueBox& truth, const detection::DetectedBox& box, const geometry::Pose& true_base,
                     const geometry::Pose& found_base);

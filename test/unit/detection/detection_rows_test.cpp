@@ -44,18 +44,20 @@ TEST_P(DetectionRows, holdWithMargins) {
   EXPECT_LE(summary.side_mm.rms, row.side_rms_mm);
   EXPECT_LE(summary.height_mm.mean, row.height_mm);
   EXPECT_EQ(summary.truncated_flagged, summary.truncated_found);
+  EXPECT_EQ(summary.confident_wrong_sizes, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Recipes, DetectionRows,
                          testing::Values(Row{"separated_depth_noise", 3, 1.0, 1.0, 0.3, 0.05, 0.4, 0.1},
                                          Row{"separated_noise_x4", 3, 1.0, 1.0, 0.5, 0.05, 1.0, 0.3},
                                          Row{"separated_all_effects", 3, 1.0, 1.0, 0.5, 0.05, 0.7, 0.1},
-                                         Row{"touching_equal", 4, 0.8, 0.9, 2.0, 0.2, 8.0, 0.2},
-                                         Row{"touching_stepped", 4, 0.8, 0.9, 1.5, 0.2, 3.0, 0.3},
-                                         Row{"banded", 3, 0.8, 0.8, 1.0, 0.1, 2.0, 0.1},
-                                         Row{"hidden", 4, 0.8, 0.8, 3.0, 0.2, 4.0, 0.4},
-                                         Row{"uneven", 3, 0.8, 0.7, 6.0, 0.4, 12.0, 2.0},
-                                         Row{"everything", 4, 0.75, 0.8, 4.0, 0.3, 8.0, 1.5}));
+                                         Row{"touching_equal", 4, 0.95, 0.97, 1.0, 0.1, 2.0, 0.2},
+                                         Row{"touching_stepped", 4, 0.95, 0.97, 1.0, 0.1, 2.0, 0.2},
+                                         Row{"banded", 3, 0.98, 0.98, 1.0, 0.1, 1.5, 0.1},
+                                         Row{"hidden", 4, 0.95, 0.97, 2.0, 0.1, 2.0, 0.2},
+                                         Row{"uneven", 3, 0.99, 0.99, 3.0, 0.1, 3.5, 0.5},
+                                         Row{"truncated", 3, 0.9, 0.9, 1.0, 0.1, 2.0, 0.5},
+                                         Row{"everything", 4, 0.85, 0.9, 3.0, 0.15, 5.0, 1.0}));
 
 }  // namespace
 }  // namespace mixed_palletizing::detection

@@ -55,6 +55,20 @@ TEST(BoxErrors, LengthAndWidthOfASquareMayBeSwapped) {
   EXPECT_NEAR(std::abs(boxErrors(oblong, across, kBase, kBase).error[kYaw]), M_PI / 2, 1e-12);
 }
 
+TEST(BoxErrors, AnOpenSideMayBeTheLongerOneOrTheShorter) {
+  const TrueBox truth = trueBox(0.0, 0.0, 0.1, {0.30, 0.16, 0.1});
+  detection::DetectedBox box = detected(truth);
+  box.yaw_rad = 0.1 - M_PI / 2 + 0.002;
+  box.size = Eigen::Vector3d(0.80, 0.301, 0.1);  // the true length is seen from end to end
+  box.size_stddev = Eigen::Vector3d(0.4, 0.001, 0.001);
+  box.flags = detection::kTruncated | detection::kIncomplete;
+  const BoxErrors errors = boxErrors(truth, box, kBase, kBase);
+  EXPECT_NEAR(errors.error[kYaw], 0.002, 1e-12);
+  EXPECT_NEAR(errors.error[kLength], 0.64, 1e-12);
+  EXPECT_NEAR(errors.error[kWidth], 0.001, 1e-12);
+  EXPECT_FALSE(errors.hasSizeBeyondStddev());
+}
+
 TEST(BoxErrors, AWrongSizeIsConfidentWithoutAFlagAndBeyondItsStddev) {
   const TrueBox truth = trueBox(0.0, 0.0);
   detection::DetectedBox box = detected(truth, 0.001);
