@@ -22,6 +22,7 @@ constexpr int kTrimRounds = 2;
 /// A cell of the top in the rectangle's axes.
 struct TopCell {
   double x, y, height, weight;
+  double off;  ///< above the plane of the surface
 };
 
 std::vector<TopCell> innerCells(const LevelContext& context, const TopGroup& group, const RectangleFit& fit,
@@ -29,6 +30,7 @@ std::vector<TopCell> innerCells(const LevelContext& context, const TopGroup& gro
   std::vector<TopCell> cells;
   const int k = context.cells.cellPx();
   const geometry::Rectangle& r = fit.rectangle;
+  const LevelPiece& piece = context.pieces.pieces()[static_cast<std::size_t>(group.largest)];
   const double cell_m = k * group.pixel_m;
   const double inset = std::max(kInnerCells * cell_m, fit.rounding_m + 0.5 * cell_m);
   const Eigen::Array2d inner = (0.5 * r.size.array() - inset).max((0.5 - kLargestInset) * r.size.array());
@@ -44,7 +46,8 @@ std::vector<TopCell> innerCells(const LevelContext& context, const TopGroup& gro
       const double x = d.dot(ax);
       const double y = d.dot(ay);
       if (std::abs(x) > inner.x() || std::abs(y) > inner.y()) continue;
-      cells.push_back({x, y, cell.height, static_cast<double>(cell.above)});
+      cells.push_back({x, y, cell.height, static_cast<double>(cell.above),
+                       cell.height - piece.heightAt({cell.x, cell.y})});
     }
   }
   return cells;
@@ -56,7 +59,7 @@ void meanOf(const std::vector<TopCell>& cells, double reach_m, TopSurface& surfa
   std::size_t count = 0;
   for (const TopCell& cell : cells) {
     const double off = cell.height - surface.height_m;
-    if (off > reach_m) continue;
+    if (cell.off > reach_m) continue;
     ++count;
     n += cell.weight;
     sum += cell.weight * off;
