@@ -29,7 +29,7 @@ def _parser():
     parser.add_argument('--only', metavar='RECIPE', action='append',
                         help='detection: this row of the table alone (more than one: repeat the option)')
     parser.add_argument('--data', metavar='DIR', default=os.environ.get('MIXED_PALLETIZING_DATA', ''),
-                        help='packing: folder with packing/br, published instances (default: MIXED_PALLETIZING_DATA)')
+                        help='packing, planning: folder with packing, published orders (default: MIXED_PALLETIZING_DATA)')
     parser.add_argument('--seed', type=int, default=1, help='of all scenes (default: 1)')
     parser.add_argument('--threads', type=_count, default=1, help='scenes side by side; times are clean with 1')
     parser.add_argument('--quiet', action='store_true', help='no progress on stderr')
@@ -53,11 +53,11 @@ def _run(options, script_folder):
         raise ExperimentError('--thesis and --only belong to detection')
     out = _folder(options.out)
     # Here and not above: --help and a wrong command line need no matplotlib.
-    from . import detection_report, measurements, order_reports, thesis_report, tools as tools_module
+    from . import detection_report, measurements, order_reports, planning_report, thesis_report, tools as tools_module
     tools = tools_module.Tools(script_folder, options.quiet)
     measurer = measurements.Measurer(tools, out / 'data', options.seed, options.threads)
     makers = {'detection': thesis_report.make if options.thesis else detection_report.make,
-              'packing': order_reports.packing, 'planning': order_reports.planning}
+              'packing': order_reports.packing, 'planning': planning_report.planning}
     return makers[options.experiment](tools, measurer, options, out)
 
 

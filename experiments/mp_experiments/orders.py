@@ -8,26 +8,35 @@ class Orders:
 
     def __init__(self, tools, folder, seed):
         self.tools, self.folder, self.seed = tools, folder, seed
+        self.reading = {}  # arguments by which the tools read a file, by its path
 
-    def generate(self, height_mm, count):
-        path = self.folder / f'orders_{height_mm}.jsonl'
-        arguments = ['--height_mm', height_mm, '--count', count, '--seed', self.seed, '--out']
+    def generate(self, height_mm, count, kind='', more=()):
+        """File of generated orders; `more` arguments of the generator make a `kind`."""
+        path = self.folder / ('_'.join(filter(None, ['orders', kind, str(height_mm)])) + '.jsonl')
+        arguments = ['--height_mm', height_mm, '--count', count, '--seed', self.seed, *more, '--out']
         self.tools.run('generate_instances', arguments + [path], arguments + [path.name])
         return path
 
-    def pack(self, orders, method, time_limit_s):
-        return self._solve('pack', orders, method, ['--time_limit_s', time_limit_s])
+    def foreign(self, path, arguments):
+        """Registers a file that the tools read by these arguments."""
+        self.reading[path] = list(arguments)
+        return path
 
-    def plan(self, orders, method, budget_ms, rule='dblf'):
-        return self._solve('plan_picks', orders, method, ['--budget_ms', budget_ms, '--rule', rule], f'_{rule}')
+    def pack(self, orders, method, time_limit_s, more=()):
+        return self._solve('pack', orders, method, ['--time_limit_s', time_limit_s, *more])
 
-    def _solve(self, tool, orders, method, limits, suffix=''):
-        path = self.folder / f'{tool}_{method}{suffix}_{orders.stem}.jsonl'
-        common = ['--method', method, '--seed', self.seed, *limits]
+    def plan(self, orders, method, budget_ms, more=(), label=''):
+        """`label` tells results of one file and method apart; plain ones have none."""
+        return self._solve('plan_picks', orders, method, ['--budget_ms', f'{budget_ms:g}', *more], label)
+
+    def _solve(self, tool, orders, method, limits, label=''):
+        path = self.folder / ('_'.join(filter(None, [tool, method, label, orders.stem])) + '.jsonl')
+        reading = self.reading.get(orders, [])
+        common = [*reading, '--method', method, '--seed', self.seed, *limits]
         self.tools.run(tool, ['--instances', orders, *common, '--out', path],
                        ['--instances', orders.name, *common, '--out', path.name])
-        self.tools.run('check_packing', ['--instances', orders, '--results', path],
-                       ['--instances', orders.name, '--results', path.name])
+        self.tools.run('check_packing', ['--instances', orders, *reading, '--results', path],
+                       ['--instances', orders.name, *reading, '--results', path.name])
         results = read_lines(path)
         if not results:
             raise ExperimentError(f'{path}: holds no result')
@@ -36,3 +45,8 @@ class Orders:
 
 def unpacked_counts(results):
     return [len(result['unpacked']) for result in results]
+
+
+def utilizations(results):
+    """In percent, by the order's name."""
+    return {result['name']: 100.0 * result['utilization'] for result in results}

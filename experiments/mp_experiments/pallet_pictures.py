@@ -13,12 +13,23 @@ def _faces(placement):
     return [[tuple(o + s * c for o, s, c in zip(origin, size, corner)) for corner in face] for face in FACES]
 
 
-def pallet(placements, pallet_mm):
-    """The boxes of one pallet, a colour for each type."""
+def growing(placements, pallet_mm, pictures=6):
+    """Pairs (number of picks, picture) of a pallet at even steps; placements in loading order."""
+    steps = sorted({max(1, round(len(placements) * (i + 1) / pictures)) for i in range(pictures)})
+    types = _types(placements)
+    return [(picks, pallet(placements[:picks], pallet_mm, types)) for picks in steps if picks <= len(placements)]
+
+
+def _types(placements):
+    return sorted({p['type'] for p in placements})
+
+
+def pallet(placements, pallet_mm, types=None):
+    """The boxes of one pallet, a colour for each of the types."""
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
     figure = plots.pyplot.figure(figsize=(5.2, 4.6))
     axis = figure.add_subplot(111, projection='3d')
-    types = sorted({p['type'] for p in placements})
+    types = types or _types(placements)
     faces, colours = [], []
     for placement in placements:
         faces += _faces(placement)

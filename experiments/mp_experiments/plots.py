@@ -90,13 +90,13 @@ def ratio_curves(series, level):
     return as_bytes(figure)
 
 
-def time_curves(series, what):
-    """Curves (name, times [s], values, colour) over the logarithm of time."""
+def curves(series, over, what):
+    """Curves (name, positive numbers, values, colour) over the logarithm of the numbers."""
     figure, axis = pyplot.subplots(figsize=(7.0, 3.6))
-    for name, times, values, colour in series:
-        axis.plot(times, values, marker='o', markersize=4, linewidth=1.2, color=colour, label=name)
+    for name, numbers, values, colour in series:
+        axis.plot(numbers, values, marker='o', markersize=4, linewidth=1.2, color=colour, label=name)
     axis.set_xscale('log')
-    axis.set_xlabel('seconds', fontsize=9)
+    axis.set_xlabel(over, fontsize=9)
     axis.set_ylabel(what, fontsize=9)
     axis.tick_params(labelsize=8)
     axis.legend(fontsize=8, frameon=False)

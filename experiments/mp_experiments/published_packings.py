@@ -72,7 +72,7 @@ def _table(page, sets, group, names, instances, seconds):
 def _curves(page, sets, names, limits):
     series = [(label, limits, [mean([sets.utilization(name, 1, method, seconds) for name in names]) for seconds in limits],
                colour) for method, label, colour in CURVE_METHODS]
-    page.figure(plots.time_curves(series, 'volume used [%]'),
+    page.figure(plots.curves(series, 'seconds', 'volume used [%]'),
                 f'Volume used over the time of a search: mean of the first instance of each of {", ".join(names)}.')
 
 

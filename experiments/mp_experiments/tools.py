@@ -28,6 +28,7 @@ class Tools:
         self.folders = [script_folder] + [prefix / 'lib' / 'mixed_palletizing' for prefix in prefixes]
         self.quiet = quiet
         self.commands = []  # (text, seconds)
+        self.expected = 0   # commands in all; 0 = not known
 
     def find(self, name):
         for folder in self.folders:
@@ -43,11 +44,19 @@ class Tools:
         if not self.quiet:
             print(text, file=sys.stderr, flush=True)
 
+    def _bar(self, width=20):
+        """How many of the expected commands are done."""
+        if not self.expected:
+            return ''
+        done = min(len(self.commands), self.expected)
+        filled = width * done // self.expected
+        return f'[{"#" * filled}{"." * (width - filled)}] {done}/{self.expected}'
+
     def run(self, name, arguments, shown=None):
         """Output of a tool. `shown` replaces the arguments in the report: paths without the machine's folders."""
         command = [str(self.find(name))] + [str(a) for a in arguments]
         text = ' '.join(['rosrun mixed_palletizing', name] + [shlex.quote(str(a)) for a in shown or arguments])
-        self.say('  ' + text)
+        self.say(self._bar() + '  ' + text)
         start = time.monotonic()
         try:
             done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)

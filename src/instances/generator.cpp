@@ -7,7 +7,8 @@
 //    Blocks: a part of the volume may also be cut horizontally, so that a large box stands across smaller
 //    ones.
 //    Cuts: the whole volume is cut across again and again, at any millimetre.
-// 3. The boxes of the packing are the order; they arrive shuffled.
+// 3. The boxes of the packing are the order; they arrive shuffled. With a spread of sizes the types become a
+//    little larger or smaller then.
 #include <algorithm>
 #include <map>
 #include <random>
@@ -29,6 +30,14 @@ bool isPowerOfTwo(int value) { return value > 0 && (value & (value - 1)) == 0; }
 
 std::string sizeName(const packing::Vec3& size) {
   return std::to_string(size.x) + "x" + std::to_string(size.y) + "x" + std::to_string(size.z);
+}
+
+packing::PalletRules rulesOf(const GeneratorOptions& options) {
+  packing::PalletRules rules;
+  rules.size = options.pallet;
+  rules.gap = options.gap;
+  rules.min_support_ratio = options.min_support_ratio;
+  return rules;
 }
 
 void checkFootprints(const GeneratorOptions& options, std::vector<std::string>& found) {
@@ -99,6 +108,8 @@ std::string kindName(const GeneratorOptions& options) {
   if (options.continuous_heights) name += "_continuous";
   if (sameRotations(options.rotations, packing::Rotations::yawOnly())) name += "_yaw";
   if (sameRotations(options.rotations, packing::Rotations::any())) name += "_any";
+  if (options.size_spread > 0) name += "_spread" + std::to_string(options.size_spread);
+  if (options.gap > 0) name += "_gap" + std::to_string(options.gap);
   return name;
 }
 
@@ -126,6 +137,19 @@ void takeOrder(const std::vector<GuillotineFiller::Box>& boxes, const packing::R
     ++instance.order.counts[static_cast<std::size_t>(type)];
     instance.perfect_packing.push_back({type, box.origin, box.size});
     instance.arrival.push_back(type);
+  }
+}
+
+/// Draws the sides of every type anew, each within `spread` [mm] of its own and inside the pallet.
+void spreadSizes(int spread, std::mt19937_64& rng, packing::Order& order) {
+  std::uniform_int_distribution<int> by(-spread, spread);
+  const auto drawn = [&](int side, int most) { return std::clamp(side + by(rng), 1, most); };
+  for (packing::ItemType& type : order.types) {
+    const packing::Vec3& pallet = order.rules.size;
+    type.size.x = drawn(type.size.x, pallet.x);
+    type.size.y = drawn(type.size.y, pallet.y);
+    type.size.z = drawn(type.size.z, pallet.z);
+    type.name += "_" + sizeName(type.size);
   }
 }
 
@@ -170,6 +194,10 @@ std::vector<std::string> problems(const GeneratorOptions& options) {
       !sameRotations(rotations, packing::Rotations::any())) {
     found.emplace_back("rotations: must be none, yaw or any");
   }
+  if (options.size_spread < 0) {
+    found.push_back("size_spread: " + std::to_string(options.size_spread) + " mm: must not be negative");
+  }
+  for (const std::string& line : packing::problems(rulesOf(options))) found.push_back(line);
   if (options.structure == PackingStructure::kCuts) {
     checkCuts(options, found);
     return found;
@@ -195,9 +223,11 @@ Instance generateInstance(const GeneratorOptions& options, std::uint64_t seed, i
   const std::string digits = std::to_string(index);
   instance.name = sizeName(options.pallet) + kindName(options) + "_seed" + std::to_string(seed) + "_" +
                   std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
-  instance.order.rules.size = options.pallet;
+  instance.order.rules = rulesOf(options);
   instance.n_pick = options.n_pick;
   takeOrder(boxes, options.rotations, instance);
+  if (options.size_spread > 0) spreadSizes(options.size_spread, rng, instance.order);
+  if (options.size_spread > 0 || options.gap > 0) instance.perfect_packing.clear();
   std::shuffle(instance.arrival.begin(), instance.arrival.end(), rng);
   return instance;
 }

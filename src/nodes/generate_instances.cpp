@@ -58,6 +58,11 @@ int main(int argc, char** argv) {
               "cuts: share of a side, about its middle, in which it is cut; 0 = always in the middle");
   line.choice("rotations", &rotations, {"none", "yaw", "any"},
               "of the items; boxes that can be turned into each other are one type");
+  line.option(
+      "size_spread_mm", &options.size_spread,
+      "every side of every type is drawn anew within so much of its own; no perfect packing is known then");
+  line.option("gap_mm", &options.gap, "rule of the pallet; no perfect packing is known with one");
+  line.option("min_support_ratio", &options.min_support_ratio, "rule of the pallet");
   return line.run(argc, argv, [&] {
     if (pallet.size() != 2)
       throw std::invalid_argument("--pallet_mm: two numbers are needed, length and width");

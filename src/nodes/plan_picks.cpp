@@ -52,8 +52,9 @@ int main(int argc, char** argv) {
   line.required("out", &out, "results, one JSON object a line");
   line.choice("method", &method, {"dblf", "ga", "best"}, "of planning");
   line.choice("rule", &rule, {"dblf", "distance"}, "ga and dblf: where a box is put");
-  line.choice("knowledge", &knowledge, {"set", "types"},
-              "of the items to come: how many of each type, or types");
+  line.choice(
+      "knowledge", &knowledge, {"set", "types", "order"},
+      "of the items to come: how many of each type, the types alone, or (best: to compare) their order");
   line.option("budget_ms", &options.budget_ms,
               "per decision; 0 = as many as the iterations take, reproducible");
   line.option("samples", &options.planner.best.samples,
@@ -67,7 +68,7 @@ int main(int argc, char** argv) {
   return line.run(argc, argv, [&] {
     options.planner.method = *planning::planMethodFromString(method);
     options.planner.genetic.rule = *packing::placementRuleFromString(rule);
-    if (knowledge == "types") options.knowledge = planning::Knowledge::kTypes;
+    options.knowledge = *planning::knowledgeFromString(knowledge);
     if (!policy.empty()) options.planner.best.weights = planning::readPolicyWeights(policy);
     if (threads < 1) throw std::invalid_argument("threads: " + std::to_string(threads) + ": at least 1");
     progress = progress || isatty(STDERR_FILENO) != 0;

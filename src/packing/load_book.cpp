@@ -48,16 +48,29 @@ std::string LoadBook::whyNot(const std::vector<Placement>& placed, const Placeme
     return "the boxes would weigh " + std::to_string(totalWeight() + weightOf(placement.type)) +
            " kg, more than " + std::to_string(limits_->max_weight) + " kg";
   }
-  if (!limits_->any_top || placement.origin.z == 0) return {};
+  const std::optional<Overload> overload = firstOverload(placed, placement);
+  if (!overload) return {};
+  return "box " + std::to_string(overload->box) + " would carry " + std::to_string(overload->load) +
+         " kg, more than " +
+         std::to_string(limits_->max_load[static_cast<std::size_t>(types_[overload->box])]) + " kg";
+}
+
+bool LoadBook::carries(const std::vector<Placement>& placed, const Placement& placement) const {
+  return carriesWeightOf(placement.type) && !firstOverload(placed, placement);
+}
+
+/// The first placed box whose limit `placement` would break.
+std::optional<LoadBook::Overload> LoadBook::firstOverload(const std::vector<Placement>& placed,
+                                                          const Placement& placement) const {
+  if (!limitsTops() || placement.origin.z == 0) return std::nullopt;
   const std::vector<double> added = addedLoads(contactsOf(placed, placement), weightOf(placement.type));
   for (std::size_t i = 0; i < added.size(); ++i) {
-    const double limit = limits_->max_load[static_cast<std::size_t>(types_[i])];
-    if (added[i] > 0.0 && exceeds(loads_[i] + added[i], limit)) {
-      return "box " + std::to_string(i) + " would carry " + std::to_string(loads_[i] + added[i]) +
-             " kg, more than " + std::to_string(limit) + " kg";
+    const double load = loads_[i] + added[i];
+    if (added[i] > 0.0 && exceeds(load, limits_->max_load[static_cast<std::size_t>(types_[i])])) {
+      return Overload{i, load};
     }
   }
-  return {};
+  return std::nullopt;
 }
 
 std::vector<LoadBook::Contact> LoadBook::contactsOf(const std::vector<Placement>& placed,

@@ -56,7 +56,7 @@ bool PalletState::accepts(const Placement& placement) const {
                  : isBox(placement) && std::any_of(spaces_.begin(), spaces_.end(), [&](const Space& space) {
                      return holds(space, placement);
                    });
-  return stands && (!loads_.active() || loads_.whyNot(placements_, placement).empty());
+  return stands && (!loads_.active() || loads_.carries(placements_, placement));
 }
 
 void PalletState::place(const Placement& placement) {

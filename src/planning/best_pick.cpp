@@ -103,11 +103,11 @@ void chooseByPlayouts(const Situation& situation, const PlannerOptions& options,
     return engines.front().policy().itemVolume(a) < engines.front().policy().itemVolume(b);
   });
   if (!pairs.empty()) {
-    const auto raced = std::min(pairs.size(), static_cast<std::size_t>(options.best.candidates));
-    PlayoutRace race(situation, {pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(raced)}, engines,
-                     seed);
-    const int unlimited = stop ? std::numeric_limits<int>::max() / 2 : BestOptions::kDefaultSamples;
-    if (raced > 1) race.run(options.best.samples > 0 ? options.best.samples : unlimited, stop);
+    PlayoutRace race(situation, pairs, options.best.candidates, engines, seed);
+    std::optional<int> samples;
+    if (options.best.samples > 0 || !stop) samples = std::max(options.best.samples, 0);
+    if (samples == 0) samples = BestOptions::kDefaultSamples;
+    if (pairs.size() > 1 && options.best.candidates > 1) race.run(samples, stop);
     tellOptions(situation, pairs, race, options.n_cost, decision);
     chosen_type = race.runners()[race.leader()].placement.type;
   }

@@ -25,8 +25,7 @@ PlacementPolicy::PlacementPolicy(const std::vector<packing::ItemType>& types,
       weights_(weights),
       capacity_({}),
       places_(types.size()),
-      capacities_(types.size()),
-      wanted_(types.size()) {
+      capacities_(types.size()) {
   for (const packing::ItemType& type : types) {
     sizes_.push_back(packing::orientations(type));
     volumes_.push_back(static_cast<double>(packing::volume(type.size)));
@@ -51,6 +50,7 @@ PolicyWeights PlacementPolicy::features(const packing::PalletState& after,
   PolicyWeights f{};
   addSpaces(after, placement, remaining, f);
   addDemand(remaining, f);
+  addTop(after, placement, f);
   f[kBaseHeight] = static_cast<double>(placement.origin.z) / pallet_size_.z;
   f[kBoxVolume] = static_cast<double>(packing::volume(placement.size)) / (pallet_volume_ * kLargeVolumeRatio);
   f[kBoxFootprint] = area(placement.size) / (area(pallet_size_) * kLargeAreaRatio);
@@ -63,22 +63,28 @@ void PlacementPolicy::addSpaces(const packing::PalletState& after, const packing
   const std::size_t types = volumes_.size();
   std::fill(places_.begin(), places_.end(), 0);
   std::fill(capacities_.begin(), capacities_.end(), 0);
-  for (std::size_t t = 0; t < types; ++t) wanted_[t] = remaining[t] > 0 ? 1 : 0;
   double dead_room = 0.0;
+  double all_room = 0.0;
+  double fillable = 0.0;
   double largest_base = 0.0;
   int levels = 0;
   int last_level = -1;
   for (const packing::Space& space : after.spaces()) {
     const packing::Vec3 room = space.size();
     const int* row = capacity_.of(room);
-    int held = 0;
     for (std::size_t t = 0; t < types; ++t) {
       places_[t] += row[t];
       capacities_[t] += row[types + t];
-      held += row[t] * wanted_[t];
     }
+    double fill = 0.0;  // by items of one type
+    for (std::size_t t = 0; t < types; ++t) {
+      fill = std::max(fill, std::min(row[types + t], remaining[t]) * volumes_[t]);
+    }
+    const double room_volume = area(room) * room.z;
     largest_base = std::max(largest_base, area(room));
-    if (held == 0) dead_room += area(room) * room.z;
+    all_room += room_volume;
+    fillable += fill;
+    if (fill == 0.0) dead_room += room_volume;
     if (space.min.z != last_level) ++levels;
     last_level = space.min.z;
   }
@@ -87,8 +93,25 @@ void PlacementPolicy::addSpaces(const packing::PalletState& after, const packing
   f[kLevels] = levels / kManyLevels;
   f[kTopAboveLowest] = static_cast<double>(placement.origin.z + placement.size.z - lowest) / pallet_size_.z;
   f[kLargestBase] = largest_base / area(pallet_size_);
-  const bool any_left = std::any_of(wanted_.begin(), wanted_.end(), [](int wanted) { return wanted != 0; });
+  f[kFillRate] = all_room > 0.0 ? fillable / all_room : 0.0;
+  const bool any_left = std::any_of(remaining.begin(), remaining.end(), [](int count) { return count > 0; });
   f[kDeadRoom] = any_left ? dead_room / (pallet_volume_ * kMuchRoomRatio) : 0.0;
+}
+
+/// How the top of the placed box joins its neighbours.
+void PlacementPolicy::addTop(const packing::PalletState& after, const packing::Placement& placement,
+                             PolicyWeights& f) const {
+  const packing::Vec3& from = placement.origin;
+  const packing::Vec3& size = placement.size;
+  double largest = area(size);
+  for (const packing::Space& space : after.spaces()) {
+    if (space.min.z != from.z + size.z || space.min.x >= from.x + size.x || space.max.x <= from.x ||
+        space.min.y >= from.y + size.y || space.max.y <= from.y) {
+      continue;
+    }
+    largest = std::max(largest, area(space.size()));
+  }
+  f[kMergedTop] = area(size) / largest;
 }
 
 /// What remains against the places it has.

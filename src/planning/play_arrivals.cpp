@@ -6,6 +6,8 @@
 
 #include <mixed_palletizing/planning/play_arrivals.hpp>
 
+#include "known_order.hpp"
+
 namespace mixed_palletizing::planning {
 namespace {
 
@@ -123,10 +125,20 @@ class Play {
 
 }  // namespace
 
+std::optional<Knowledge> knowledgeFromString(const std::string& word) {
+  if (word == "set") return Knowledge::kSet;
+  if (word == "types") return Knowledge::kTypes;
+  if (word == "order") return Knowledge::kOrder;
+  return std::nullopt;
+}
+
 std::vector<std::string> problems(const PlayOptions& options) {
   std::vector<std::string> found = problems(options.planner);
   if (options.n_pick < 1)
     found.push_back("n_pick: " + std::to_string(options.n_pick) + ": must be at least 1");
+  if (options.knowledge == Knowledge::kOrder && options.planner.method != PlanMethod::kBest) {
+    found.emplace_back("knowledge: the order: only the method best can use it");
+  }
   if (!(options.budget_ms >= 0.0)) {
     found.push_back("budget_ms: " + std::to_string(options.budget_ms) + " ms: must not be negative");
   }
@@ -136,6 +148,7 @@ std::vector<std::string> problems(const PlayOptions& options) {
 PlayResult playArrivals(const packing::Order& order, const std::vector<int>& arrival,
                         const PlayOptions& options, const PlayProgress& progress) {
   check(order, arrival, options);
+  if (options.knowledge == Knowledge::kOrder) return playKnownOrder(order, arrival, options);
   Play play(order, arrival, options);
   while (!play.over()) {
     play.step();

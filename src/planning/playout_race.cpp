@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <mixed_palletizing/packing/random.hpp>
@@ -13,84 +14,149 @@
 namespace mixed_palletizing::planning {
 namespace {
 
-constexpr int kRoundsBetweenDrops = 8;  ///< at least; later an eighth of those played
+constexpr std::size_t kRoundsBetweenDrops = 8;  ///< at least; later an eighth of those played
+constexpr std::size_t kMostRoundsAtOnce = 1024;
 constexpr double kStandardErrorsBehind = 2.5;
+/// Rounds after which pairs that were rated lower may enter: before, the time is better spent on the first.
+constexpr std::size_t kSettledRounds = 32;
+/// Rounds of the leader, nothing left over in any of them, after which the race is decided.
+constexpr std::size_t kSureRounds = 64;
 /// Rounds without any difference between the runners after which the race is called off.
-constexpr int kSureRounds = 128;
+constexpr std::size_t kEqualRounds = 128;
+
+/// One seed per future (splitmix64, Steele, Lea and Flood 2014).
+std::uint64_t futureSeed(std::uint64_t seed, std::uint64_t future) {
+  std::uint64_t z = seed + 0x9e3779b97f4a7c15ULL * (future + 1);
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+  return z ^ (z >> 31U);
+}
 
 }  // namespace
 
-PlayoutRace::PlayoutRace(const Situation& situation, const std::vector<ScoredPlacement>& pairs,
+PlayoutRace::PlayoutRace(const Situation& situation, const std::vector<ScoredPlacement>& pairs, int lanes,
                          std::vector<Playout>& engines, std::uint64_t seed)
-    : engines_(engines), random_(seed), forecast_(situation.forecast) {
-  std::vector<int> visible(situation.types.size(), 0);
-  for (const int type : situation.available) ++visible[static_cast<std::size_t>(type)];
-  for (std::size_t t = 0; t < visible.size(); ++t) {
-    to_come_.insert(to_come_.end(), static_cast<std::size_t>(situation.remaining[t] - visible[t]),
+    : pairs_(pairs),
+      lanes_(static_cast<std::size_t>(lanes)),
+      engines_(engines),
+      seed_(seed),
+      start_{situation.pallet, std::vector<int>(situation.types.size(), 0),
+             static_cast<int>(situation.available.size())},
+      forecast_(situation.forecast) {
+  for (const int type : situation.available) ++start_.visible[static_cast<std::size_t>(type)];
+  for (std::size_t t = 0; t < start_.visible.size(); ++t) {
+    to_come_.insert(to_come_.end(), static_cast<std::size_t>(situation.remaining[t] - start_.visible[t]),
                     static_cast<int>(t));
   }
-  for (const ScoredPlacement& pair : pairs) {
-    Runner runner{
-        pair.placement, {situation.pallet, visible, static_cast<int>(situation.available.size())}, {}, true};
-    runner.start.pallet.place(pair.placement);
-    --runner.start.visible[static_cast<std::size_t>(pair.placement.type)];
-    runners_.push_back(std::move(runner));
+  while (runners_.size() < std::min(lanes_, pairs_.size())) enter();
+}
+
+void PlayoutRace::enter() {
+  Runner runner{pairs_[runners_.size()].placement, start_, {}, true};
+  runner.start.pallet.place(runner.placement);
+  --runner.start.visible[static_cast<std::size_t>(runner.placement.type)];
+  runners_.push_back(std::move(runner));
+}
+
+/// False when there is no free lane or no further pair.
+bool PlayoutRace::enterMore(std::size_t most) {
+  std::size_t taken =
+      static_cast<std::size_t>(std::count_if(runners_.begin(), runners_.end(), [most](const Runner& runner) {
+        return runner.racing && runner.ends.size() < most;
+      }));
+  bool entered = false;
+  for (; taken < lanes_ && runners_.size() < pairs_.size(); ++taken) {
+    enter();
+    entered = true;
+  }
+  return entered;
+}
+
+void PlayoutRace::run(std::optional<int> samples, const packing::StopCallback& stop) {
+  const std::size_t most = onlyOneFuture() ? 1
+                           : samples       ? static_cast<std::size_t>(*samples)
+                                           : std::numeric_limits<std::size_t>::max();
+  const bool others_enter = lanes_ > 1 && (!samples || most == 1);
+  while (true) {
+    const std::size_t lead = runners_[leader()].ends.size();
+    const std::size_t least = fewestEnds();
+    std::size_t step = std::max(kRoundsBetweenDrops, least);  // of those who catch up
+    if (least == lead) {
+      if (certain()) return;
+      const bool settled = lead >= std::min(kSettledRounds, most) || racing() < 2;
+      if (others_enter && settled && enterMore(most)) continue;
+      if (lead >= most || racing() < 2 || (lead >= kEqualRounds && noDifference())) return;
+      step = std::max(kRoundsBetweenDrops, lead / kRoundsBetweenDrops);
+    }
+    const std::size_t goal = least + std::min(step, kMostRoundsAtOnce);
+    if (!playUntil(std::min(goal, least < lead ? lead : most), stop)) return;
+    dropThoseBehind();
   }
 }
 
-void PlayoutRace::run(int samples, const packing::StopCallback& stop) {
-  const int rounds = onlyOneFuture() ? 1 : samples;
-  for (int done = 0; done < rounds;) {
-    const int next = std::min(std::max(kRoundsBetweenDrops, done / kRoundsBetweenDrops), rounds - done);
-    if (!playRounds(next, stop)) return;
-    done += next;
-    dropThoseBehind();
-    const auto racing =
-        std::count_if(runners_.begin(), runners_.end(), [](const Runner& runner) { return runner.racing; });
-    if (racing < 2 || (done >= kSureRounds && noDifference())) return;
+/// Nothing can be better than a leader that always became perfect.
+bool PlayoutRace::certain() const {
+  const std::vector<PlayoutEnd>& ends = runners_[leader()].ends;
+  const std::size_t needed = onlyOneFuture() ? 1 : kSureRounds;
+  return ends.size() >= needed &&
+         std::all_of(ends.begin(), ends.end(), [](const PlayoutEnd& end) { return end.perfect(); });
+}
+
+std::size_t PlayoutRace::racing() const {
+  return static_cast<std::size_t>(
+      std::count_if(runners_.begin(), runners_.end(), [](const Runner& runner) { return runner.racing; }));
+}
+
+/// Of those racing.
+std::size_t PlayoutRace::fewestEnds() const {
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  for (const Runner& runner : runners_) {
+    if (runner.racing) fewest = std::min(fewest, runner.ends.size());
   }
+  return fewest;
 }
 
 /// All that is to come is of one type: there is nothing to draw.
 bool PlayoutRace::onlyOneFuture() const {
-  const bool alike = to_come_.empty() || to_come_.front() == to_come_.back();  // sorted still
+  const bool alike = to_come_.empty() || to_come_.front() == to_come_.back();  // sorted
   return alike && std::all_of(forecast_.begin(), forecast_.end(), [](double count) { return count == 0.0; });
 }
 
 /// What may come, in a random order: the items known, and of every type with a forecast a number drawn from the
 /// Poisson distribution: the arrivals of a stream in the time that brings so many in the mean.
-std::vector<int> PlayoutRace::drawArrival() {
-  const auto gap = [this] { return -std::log(1.0 - packing::uniform01(random_)); };
+std::vector<int> PlayoutRace::arrivalOf(std::size_t future) const {
+  packing::Random random(futureSeed(seed_, future));
+  const auto gap = [&random] { return -std::log(1.0 - packing::uniform01(random)); };
   std::vector<int> arrival = to_come_;
   for (std::size_t t = 0; t < forecast_.size(); ++t) {
     for (double time = gap(); time < forecast_[t]; time += gap()) arrival.push_back(static_cast<int>(t));
   }
-  packing::shuffle(arrival, random_);
+  packing::shuffle(arrival, random);
   return arrival;
 }
 
-/// False when stopped; the rounds that were completed count.
-bool PlayoutRace::playRounds(int rounds, const packing::StopCallback& stop) {
-  std::vector<std::size_t> racing;
+/// Those racing with fewer futures than `rounds` play up to so many; they all played the same number before. False when
+/// stopped; the rounds that all of them completed count.
+bool PlayoutRace::playUntil(std::size_t rounds, const packing::StopCallback& stop) {
+  std::vector<std::size_t> players;
   for (std::size_t i = 0; i < runners_.size(); ++i) {
-    if (runners_[i].racing) racing.push_back(i);
+    if (runners_[i].racing && runners_[i].ends.size() < rounds) players.push_back(i);
   }
+  const std::size_t done = runners_[players.front()].ends.size();
   std::vector<std::vector<int>> arrivals;
-  for (int i = 0; i < rounds; ++i) {
-    arrivals.push_back(drawArrival());
-  }
-  std::vector<std::optional<PlayoutEnd>> ends(arrivals.size() * racing.size());
+  for (std::size_t future = done; future < rounds; ++future) arrivals.push_back(arrivalOf(future));
+  std::vector<std::optional<PlayoutEnd>> ends(arrivals.size() * players.size());
   std::atomic<bool> stopped{false};
   inParallel(ends.size(), static_cast<int>(engines_.size()), [&](std::size_t worker, std::size_t i) {
     if (stopped) return;
-    const Runner& runner = runners_[racing[i % racing.size()]];
-    ends[i] = engines_[worker].play(runner.start, arrivals[i / racing.size()], stop);
+    const Runner& runner = runners_[players[i % players.size()]];
+    ends[i] = engines_[worker].play(runner.start, arrivals[i / players.size()], stop);
     if (!ends[i]) stopped = true;
   });
-  for (std::size_t first = 0; first < ends.size(); first += racing.size()) {
+  for (std::size_t first = 0; first < ends.size(); first += players.size()) {
     const auto at = [&ends](std::size_t i) { return ends.begin() + static_cast<std::ptrdiff_t>(i); };
-    if (std::find(at(first), at(first + racing.size()), std::nullopt) != at(first + racing.size())) break;
-    for (std::size_t i = 0; i < racing.size(); ++i) runners_[racing[i]].ends.push_back(*ends[first + i]);
+    if (std::find(at(first), at(first + players.size()), std::nullopt) != at(first + players.size())) break;
+    for (std::size_t i = 0; i < players.size(); ++i) runners_[players[i]].ends.push_back(*ends[first + i]);
   }
   return !stopped;
 }
@@ -98,12 +164,12 @@ bool PlayoutRace::playRounds(int rounds, const packing::StopCallback& stop) {
 /// Drops every runner that is clearly behind the leader; futures are the same, so differences are paired.
 void PlayoutRace::dropThoseBehind() {
   const Runner& best = runners_[leader()];
-  const auto n = static_cast<double>(best.ends.size());
   for (Runner& runner : runners_) {
-    if (!runner.racing) continue;
+    if (!runner.racing || runner.ends.empty()) continue;
+    const auto n = static_cast<double>(runner.ends.size());
     double sum = 0.0;
     double squares = 0.0;
-    for (std::size_t i = 0; i < best.ends.size(); ++i) {
+    for (std::size_t i = 0; i < runner.ends.size(); ++i) {
       const double behind = value(best.ends[i]) - value(runner.ends[i]);
       sum += behind;
       squares += behind * behind;
@@ -126,8 +192,14 @@ bool PlayoutRace::noDifference() const {
 std::size_t PlayoutRace::leader() const {
   std::size_t best = 0;
   while (!runners_[best].racing) ++best;
+  double best_value = meanValue(runners_[best]);
   for (std::size_t i = best + 1; i < runners_.size(); ++i) {
-    if (runners_[i].racing && meanValue(runners_[i]) > meanValue(runners_[best])) best = i;
+    const std::size_t played = runners_[i].ends.size();
+    if (!runners_[i].racing || played < runners_[best].ends.size()) continue;
+    const double value = meanValue(runners_[i]);
+    if (played == runners_[best].ends.size() && value <= best_value) continue;
+    best = i;
+    best_value = value;
   }
   return best;
 }

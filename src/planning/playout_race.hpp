@@ -1,8 +1,10 @@
-// A race between placements: all play the same sampled futures, those clearly behind drop out.
+// A race between placements: all play the same sampled futures, those clearly behind drop out and others take their
+// lanes.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <mixed_palletizing/packing/random.hpp>
@@ -18,36 +20,47 @@ class PlayoutRace {
   struct Runner {
     packing::Placement placement;
     PlayoutStart start;
-    std::vector<PlayoutEnd> ends;  ///< of complete rounds only
+    std::vector<PlayoutEnd> ends;  ///< of the first futures
     bool racing = true;
   };
 
-  /// `pairs`: best first; `engines`: one for each thread, at least one.
-  PlayoutRace(const Situation& situation, const std::vector<ScoredPlacement>& pairs,
+  /// `pairs`: best first, at least one; `lanes` of them race at a time; `engines`: one for each thread. What is
+  /// referred to must outlive the race.
+  PlayoutRace(const Situation& situation, const std::vector<ScoredPlacement>& pairs, int lanes,
               std::vector<Playout>& engines, std::uint64_t seed);
 
-  /// At most `samples` rounds, fewer when one runner is left or `stop` cuts in.
-  void run(int samples, const packing::StopCallback& stop);
+  /// `samples` futures at most for each of the first pairs; without a number until `stop` cuts in, and pairs that drop out
+  /// are replaced by the next. Ends before that when the decision is certain or one runner is left.
+  void run(std::optional<int> samples, const packing::StopCallback& stop);
 
+  /// Those that raced, in the order of the pairs.
   const std::vector<Runner>& runners() const { return runners_; }
 
-  /// Of those still racing, the one with the best mean value; the earlier of equals.
+  /// Of the racing ones that played the most futures, the one with the best mean value; the earlier of equals.
   std::size_t leader() const;
 
   /// The mean value of a runner's futures: what a race is about.
   double meanValue(const Runner& runner) const;
 
  private:
-  std::vector<int> drawArrival();
-  bool playRounds(int rounds, const packing::StopCallback& stop);
+  void enter();
+  bool enterMore(std::size_t most);
+  std::vector<int> arrivalOf(std::size_t future) const;
+  bool playUntil(std::size_t rounds, const packing::StopCallback& stop);
   void dropThoseBehind();
+  std::size_t racing() const;
+  std::size_t fewestEnds() const;
   bool onlyOneFuture() const;
+  bool certain() const;
   bool noDifference() const;
   double value(const PlayoutEnd& end) const;
 
+  const std::vector<ScoredPlacement>& pairs_;
+  std::size_t lanes_;
   std::vector<Playout>& engines_;
-  packing::Random random_;
-  std::vector<Runner> runners_;
+  std::uint64_t seed_;
+  PlayoutStart start_;            ///< before any placement
+  std::vector<Runner> runners_;   ///< of the first pairs
   std::vector<int> to_come_;      ///< known
   std::vector<double> forecast_;  ///< expected beside them, per type; empty = none
 };

@@ -24,16 +24,9 @@ struct Tried {
   PolicyScore score;
 };
 
-/// Standard normal by Box and Muller: the same with every standard library.
-double normal(packing::Random& random) {
-  constexpr double kTwoPi = 6.283185307179586;
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - packing::uniform01(random)));
-  return radius * std::cos(kTwoPi * packing::uniform01(random));
-}
-
 PolicyWeights drawn(const PolicyWeights& mean, const PolicyWeights& deviation, packing::Random& random) {
   PolicyWeights weights;
-  for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = mean[i] + deviation[i] * normal(random);
+  for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = mean[i] + deviation[i] * packing::normal(random);
   return weights;
 }
 

@@ -76,7 +76,9 @@ const char* toString(PolicyFeature feature) {
                                                                        "largest_base",
                                                                        "largest_scarcity",
                                                                        "unfit_ratio_by_volume",
-                                                                       "dead_room"};
+                                                                       "dead_room",
+                                                                       "merged_top",
+                                                                       "fill_rate"};
   return kNames.at(feature);
 }
 

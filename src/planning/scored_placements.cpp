@@ -27,6 +27,19 @@ std::optional<packing::Placement> atSoundCorner(const packing::PalletState& pall
   return std::nullopt;
 }
 
+/// At the four corners of a space, those that are not among `placements` from `first` on. Spaces of one level
+/// overlap, so that several offer one place.
+void addCorners(const packing::Space& space, const packing::Vec3& size, int type, std::size_t first,
+                std::vector<packing::Placement>& placements) {
+  for (const int y : {space.min.y, space.max.y - size.y}) {
+    for (const int x : {space.min.x, space.max.x - size.x}) {
+      const packing::Placement placement{type, {x, y, space.min.z}, size};
+      const auto begin = placements.begin() + static_cast<std::ptrdiff_t>(first);
+      if (std::find(begin, placements.end(), placement) == placements.end()) placements.push_back(placement);
+    }
+  }
+}
+
 /// Those that the pallet's rules allow.
 void addPlacements(const packing::PalletState& pallet, const std::vector<packing::Vec3>& sizes, int type,
                    Trials trials, const packing::StopCallback& stop,
@@ -36,17 +49,19 @@ void addPlacements(const packing::PalletState& pallet, const std::vector<packing
     return;
   }
   for (const packing::Vec3& size : sizes) {
-    const packing::Space* last = nullptr;
-    for (const packing::Space& space : pallet.spaces()) {  // spaces of one corner follow each other
+    std::size_t first = placements.size();  // of this size on this level
+    int level = -1;
+    for (const packing::Space& space : pallet.spaces()) {
       if (!fits(size, space)) continue;
+      if (space.min.z != level) first = placements.size();
+      level = space.min.z;
       if (!pallet.fullSupport()) {
         const auto placement = atSoundCorner(pallet, space, size, type);
         if (placement && (placements.empty() || !(placements.back() == *placement))) {
           placements.push_back(*placement);
         }
-      } else if (last == nullptr || last->min != space.min) {
-        last = &space;
-        placements.push_back({type, space.min, size});
+      } else {
+        addCorners(space, size, type, first, placements);
       }
     }
   }

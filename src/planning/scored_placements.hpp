@@ -17,8 +17,8 @@ struct ScoredPlacement {
 
 /// Which placements are tried.
 enum class Trials {
-  kQuick,  ///< in every space the one at the corner nearest to the origin; where that one breaks a rule, the
-           ///< first at another corner that keeps all
+  kQuick,  ///< with full support at every corner of every space; else in every space at the first corner, from
+           ///< the one nearest to the origin on, that keeps all rules
   kThorough,  ///< as packing::cornerPlacements(): where a space may not carry a box everywhere, also flush with
               ///< the edges of the tops below
 };

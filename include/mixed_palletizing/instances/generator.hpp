@@ -34,6 +34,12 @@ struct GeneratorOptions {
   double spread = 0.5;  ///< share of a side, about its middle, in which it is cut; 0 = always in the middle
 
   packing::Rotations rotations;  ///< of all items; boxes that can be turned into each other are one type
+
+  // With any of the next two the perfect packing is no longer one, so the instance has none.
+  int size_spread = 0;             ///< every side of every type is drawn anew within so much of its own [mm]
+  int gap = 0;                     ///< rule of the pallet [mm]
+  double min_support_ratio = 1.0;  ///< rule of the pallet
+
   int n_pick = 3;
 };
 
@@ -44,7 +50,8 @@ std::vector<std::string> problems(const GeneratorOptions& options);
 /// Throws std::invalid_argument when the divisor is no power of two or a side cannot be halved.
 packing::Vec3 footprint(const packing::Vec3& pallet, int divisor);
 
-/// One order whose items fill the pallet without waste, with that packing and a shuffled arrival. The same
+/// One order whose items fill the pallet without waste, with that packing and a shuffled arrival; about so with a
+/// size_spread. The same
 /// options, seed and index give the same instance. Throws std::invalid_argument with every line of
 /// problems(options).
 Instance generateInstance(const GeneratorOptions& options, std::uint64_t seed, int index);

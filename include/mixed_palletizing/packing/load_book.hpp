@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +31,9 @@ class LoadBook {
   /// Empty when `placement`, whose place is sound, may stand on `placed`; otherwise the limit it breaks.
   std::string whyNot(const std::vector<Placement>& placed, const Placement& placement) const;
 
+  /// The same answer as whyNot().empty(), without the words.
+  bool carries(const std::vector<Placement>& placed, const Placement& placement) const;
+
   /// An item of this type would not make the pallet too heavy.
   bool carriesWeightOf(int type) const;
 
@@ -52,6 +56,13 @@ class LoadBook {
     double share;  ///< of the weight that comes down
   };
 
+  struct Overload {
+    std::size_t box;
+    double load;  ///< [kg]
+  };
+
+  std::optional<Overload> firstOverload(const std::vector<Placement>& placed,
+                                        const Placement& placement) const;
   std::vector<Contact> contactsOf(const std::vector<Placement>& placed, const Placement& placement) const;
   std::vector<double> addedLoads(const std::vector<Contact>& contacts, double weight) const;
   double weightOf(int type) const { return limits_->weight[static_cast<std::size_t>(type)]; }

@@ -32,6 +32,8 @@ enum PolicyFeature : std::size_t {
   kLargestScarcity,     ///< 1 / (1 + places) of the type with the largest footprint
   kUnfitRatioByVolume,  ///< share of the remaining volume that fits nowhere
   kDeadRoom,            ///< room of the spaces that hold nothing of what remains
+  kMergedTop,           ///< footprint of the placed box over the largest base its top is part of
+  kFillRate,            ///< share of the spaces' room that items of a single remaining type can fill
   kPolicyFeatureCount
 };
 
@@ -65,6 +67,9 @@ class PlacementPolicy {
   PolicyWeights features(const packing::PalletState& after, const packing::Placement& placement,
                          const std::vector<int>& remaining);
 
+  /// Weighs by these from now on.
+  void weigh(const PolicyWeights& weights) { weights_ = weights; }
+
   std::size_t typeCount() const { return volumes_.size(); }
   /// The distinct sizes in which items of a type may stand.
   const std::vector<packing::Vec3>& sizes(int type) const { return sizes_[static_cast<std::size_t>(type)]; }
@@ -74,6 +79,7 @@ class PlacementPolicy {
 
  private:
   void addDemand(const std::vector<int>& remaining, PolicyWeights& f) const;
+  void addTop(const packing::PalletState& after, const packing::Placement& placement, PolicyWeights& f) const;
   void addSpaces(const packing::PalletState& after, const packing::Placement& placement,
                  const std::vector<int>& remaining, PolicyWeights& f);
 
@@ -86,7 +92,6 @@ class PlacementPolicy {
   SpaceCapacity capacity_;
   std::vector<int> places_;      ///< per type, of the pallet being judged
   std::vector<int> capacities_;  ///< likewise
-  std::vector<int> wanted_;      ///< 1 for types with items remaining
 };
 
 }  // namespace mixed_palletizing::planning

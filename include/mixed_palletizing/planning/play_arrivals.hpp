@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,11 @@ namespace mixed_palletizing::planning {
 enum class Knowledge {
   kSet,    ///< how many of each type, never their order
   kTypes,  ///< the types only: as many of each as fill the free volume in equal shares are expected
+  kOrder,  ///< every arrival, as no planner knows it: what knowing would be worth; kBest only
 };
+
+/// Parses "set", "types" or "order"; std::nullopt for another word.
+std::optional<Knowledge> knowledgeFromString(const std::string& word);
 
 struct PlayOptions {
   PlannerOptions planner;

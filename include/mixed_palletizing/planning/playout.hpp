@@ -39,6 +39,8 @@ class Playout {
                                  const packing::StopCallback& stop);
 
   PlacementPolicy& policy() { return policy_; }
+  /// As the last play left it; in loading order.
+  const packing::PalletState& pallet() const { return pallet_; }
 
  private:
   bool placeBest(const packing::StopCallback& stop);

@@ -156,6 +156,33 @@ TEST(Generator, furtherKindsHavePerfectPackingsToo) {
   }
 }
 
+TEST(Generator, spreadsSizesAndSetsRules) {
+  GeneratorOptions options;
+  const Instance plain = generateInstance(options, 14, 0);
+  options.size_spread = 10;
+  options.gap = 5;
+  options.min_support_ratio = 0.75;
+  const Instance spread = generateInstance(options, 14, 0);
+  EXPECT_TRUE(problems(spread).empty());
+  EXPECT_TRUE(spread.perfect_packing.empty());
+  EXPECT_EQ(spread.order.rules.gap, 5);
+  EXPECT_EQ(spread.order.rules.min_support_ratio, 0.75);
+  EXPECT_EQ(spread.order.counts, plain.order.counts);
+  bool changed = false;
+  for (std::size_t t = 0; t < plain.order.types.size(); ++t) {
+    const packing::Vec3& before = plain.order.types[t].size;
+    const packing::Vec3& after = spread.order.types[t].size;
+    changed = changed || after != before;
+    for (const int by : {after.x - before.x, after.y - before.y, after.z - before.z})
+      EXPECT_LE(std::abs(by), 10);
+  }
+  EXPECT_TRUE(changed);
+  options.size_spread = -1;
+  options.gap = -1;
+  options.min_support_ratio = 2.0;
+  EXPECT_EQ(problems(options).size(), 3U);
+}
+
 TEST(Generator, refusesKindsThatCannotBeMade) {
   for (int broken = 0; broken < 6; ++broken) {
     GeneratorOptions options;

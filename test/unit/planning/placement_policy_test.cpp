@@ -68,11 +68,26 @@ TEST(PlacementPolicy, countsWhatFits) {
   EXPECT_DOUBLE_EQ(f[kShortage], 0.0);
   EXPECT_DOUBLE_EQ(f[kLevels], 2.0 / 8.0);
   EXPECT_DOUBLE_EQ(f[kDeadRoom], 0.0);
+  EXPECT_DOUBLE_EQ(f[kMergedTop], 1.0);
+  // On the floor 2 items of the first type fill all; on top one of it fills its half.
+  EXPECT_DOUBLE_EQ(f[kFillRate], 1.0);
   const PolicyWeights full = policy.features(pallet, first, {4, 0, 3});
   EXPECT_DOUBLE_EQ(full[kShortage], (250000.0 + 250000.0) / (4 * 250000.0 + 3 * 250000.0));
   const PolicyWeights none = policy.features(pallet, first, {0, 0, 0});
   EXPECT_DOUBLE_EQ(none[kUnfitRatio], 0.0);
   EXPECT_DOUBLE_EQ(none[kDeadRoom], 0.0);
+}
+
+TEST(PlacementPolicy, topsOfOneHeightJoin) {
+  const std::vector<packing::ItemType> types = {{"half", {100, 50, 50}, {}, 0, 0}};
+  packing::PalletState pallet(packing::PalletRules{{100, 100, 100}, 0, 1.0});
+  PlacementPolicy policy(types, pallet.rules(), tunedPolicyWeights());
+  pallet.place({0, {0, 0, 0}, {100, 50, 50}});
+  const packing::Placement second{0, {0, 50, 0}, {100, 50, 50}};
+  pallet.place(second);
+  const PolicyWeights f = policy.features(pallet, second, {1});
+  EXPECT_DOUBLE_EQ(f[kMergedTop], 0.5);
+  EXPECT_DOUBLE_EQ(f[kFillRate], 0.5);
 }
 
 TEST(PlacementPolicy, featuresStayFiniteAndFollowNoHistory) {

@@ -86,6 +86,33 @@ TEST(PlayArrivals, knowingTheTypesOnlyKeepsTheRules) {
   }
 }
 
+TEST(PlayArrivals, whoKnowsTheOrderKeepsTheRulesAndLeavesNoMore) {
+  std::mt19937_64 rng(64);
+  double known = 0.0;
+  double policy = 0.0;
+  for (int run = 0; run < 24; ++run) {
+    instances::Instance instance;
+    instance.name = "random";
+    instance.order = test::randomOrder(rng);
+    instance.arrival = test::shuffledItems(instance.order, rng);
+    instance.n_pick = test::draw(rng, 1, 5);
+    PlayOptions options;
+    options.n_pick = instance.n_pick;
+    options.knowledge = Knowledge::kOrder;
+    const PlayResult play = playArrivals(instance.order, instance.arrival, options);
+    const auto faults = faultsOf(instance, play);
+    EXPECT_TRUE(faults.empty()) << "seed 64, run " << run << ": " << faults.front();
+    EXPECT_EQ(play.placements.size() + play.unpacked.size(), instance.arrival.size())
+        << "seed 64, run " << run;
+    EXPECT_EQ(playArrivals(instance.order, instance.arrival, options).unpacked, play.unpacked);
+    known += play.utilization;
+    options.knowledge = Knowledge::kSet;
+    options.planner.best.candidates = 1;  // the policy alone
+    policy += playArrivals(instance.order, instance.arrival, options).utilization;
+  }
+  EXPECT_GE(known, policy) << "seed 64";
+}
+
 TEST(PlayArrivals, aTinyBudgetStillPlaysToTheEnd) {
   const instances::Instance instance = instances::generateInstance({}, 62, 0);
   PlayOptions options;
@@ -98,7 +125,10 @@ TEST(PlayArrivals, refusesBadInput) {
   PlayOptions options;
   options.n_pick = 0;
   options.budget_ms = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(problems(options).size(), 2U);
+  options.planner.method = PlanMethod::kGa;
+  options.knowledge = Knowledge::kOrder;  // of use for kBest only
+  EXPECT_EQ(problems(options).size(), 3U);
+  EXPECT_FALSE(knowledgeFromString("all"));
   EXPECT_THROW(playArrivals(instance.order, instance.arrival, options), std::invalid_argument);
   std::vector<int> arrival = instance.arrival;
   arrival.pop_back();
