@@ -12,7 +12,7 @@ KINDS = (('columns', ('--structure', 'columns'), plots.OURS),
          ('spread', ('--size_spread_mm', 10, '--rotations', 'yaw'), plots.THEIRS))
 N_PICK = (1, 2, 3, 5, 10)
 BUDGETS_MS = (1.0, 10.0, 100.0, 1000.0, 10000.0)
-QUICK_BUDGETS_MS = (1.0, 5.0, 20.0)
+QUICK_BUDGETS_MS = (1.0, 2.0, 5.0)
 SHARE = 20  # of the orders of the report that a point of a curve is played with
 
 

@@ -8,7 +8,7 @@ from .report_parts import add_commands, add_facts
 from .statistics import number
 
 BUDGET_MS = 100.0    # of one decision
-QUICK_BUDGET_MS = 20.0
+QUICK_BUDGET_MS = 5.0
 METHODS = (('dblf', 'heuristic alone (DBLF)'), *SEARCHES)
 STRUCTURES = ('blocks', 'columns')
 

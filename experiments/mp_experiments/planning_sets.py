@@ -9,8 +9,8 @@ from .page import Cell, Row
 from .statistics import mean, number, stddev
 
 HEIGHT_MM = 800
-BUDGET_MS, QUICK_BUDGET_MS = 1000.0, 20.0
-PACK_S, QUICK_PACK_S = 10.0, 0.5
+BUDGET_MS, QUICK_BUDGET_MS = 1000.0, 5.0
+PACK_S, QUICK_PACK_S = 10.0, 0.3
 SHARE = 10  # of the orders of the report that a set has
 SETS = (('blocks, turned about the vertical', 'yaw', ('--rotations', 'yaw')),
         ('blocks, turned any way', 'any', ('--rotations', 'any')),
@@ -72,7 +72,7 @@ def _real(orders, folder, count):
             ('BED-BPP, pallets and roll containers of 2 m', orders.foreign(bpp, ['--format', 'bed_bpp']))]
 
 
-def _row(label, results, heuristic, bound):
+def result_row(label, results, heuristic, bound):
     """Volume, boxes left, regret to the bound, orders in which the heuristic used more volume."""
     used, base, most = utilizations(results), utilizations(heuristic), utilizations(bound)
     regret = [most[name] - used[name] for name in used]
@@ -104,7 +104,7 @@ def add(page, orders, count, data, quick):
                                ('best', orders.plan(path, 'best', budget_ms, label='rich')),
                                ('knows the order of arrival', orders.plan(path, 'best', budget_ms, ['--knowledge', 'order'], 'known')),
                                ('order-free packer', bound)):
-            rows.append(_row(label, results, heuristic, bound))
+            rows.append(result_row(label, results, heuristic, bound))
     page.table(['set', '', 'all packed', 'volume used %', 's.d.', 'mean left', 'regret', 's.d.', 'worse'], rows)
     if not _folder(data):
         page.text('Real orders are left out: name the folder with packing by --data or MIXED_PALLETIZING_DATA.')

@@ -44,7 +44,7 @@ class Tools:
         if not self.quiet:
             print(text, file=sys.stderr, flush=True)
 
-    def _bar(self, width=20):
+    def bar(self, width=20):
         """How many of the expected commands are done."""
         if not self.expected:
             return ''
@@ -56,7 +56,7 @@ class Tools:
         """Output of a tool. `shown` replaces the arguments in the report: paths without the machine's folders."""
         command = [str(self.find(name))] + [str(a) for a in arguments]
         text = ' '.join(['rosrun mixed_palletizing', name] + [shlex.quote(str(a)) for a in shown or arguments])
-        self.say(self._bar() + '  ' + text)
+        self.say(self.bar() + '  ' + text)
         start = time.monotonic()
         try:
             done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)

@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
   return line.run(argc, argv, [&] {
     options.planner.method = *planning::planMethodFromString(method);
     options.planner.genetic.rule = *packing::placementRuleFromString(rule);
-    options.knowledge = *planning::knowledgeFromString(knowledge);
+    options.knowledge = *planning::playKnowledgeFromString(knowledge);
     if (!policy.empty()) options.planner.best.weights = planning::readPolicyWeights(policy);
     if (threads < 1) throw std::invalid_argument("threads: " + std::to_string(threads) + ": at least 1");
     progress = progress || isatty(STDERR_FILENO) != 0;

@@ -5,6 +5,17 @@
 
 namespace mixed_palletizing::packing {
 
+std::size_t rectsOfLevel(const std::vector<Space>& spaces, int z, std::vector<Rect>& rects) {
+  const auto below = [](const Space& space, int height) { return space.min.z < height; };
+  auto space = std::lower_bound(spaces.begin(), spaces.end(), z, below);
+  const auto begin = static_cast<std::size_t>(space - spaces.begin());
+  rects.clear();
+  for (; space != spaces.end() && space->min.z == z; ++space) {
+    rects.push_back({space->min.x, space->min.y, space->max.x, space->max.y});
+  }
+  return begin;
+}
+
 std::vector<int> LevelSpaces::heights() const {
   std::vector<int> heights;
   for (const Space& space : spaces_) {
@@ -14,14 +25,8 @@ std::vector<int> LevelSpaces::heights() const {
 }
 
 void LevelSpaces::read(int z, std::vector<Rect>& rects) {
-  const auto below = [](const Space& space, int height) { return space.min.z < height; };
-  begin_ =
-      static_cast<std::size_t>(std::lower_bound(spaces_.begin(), spaces_.end(), z, below) - spaces_.begin());
-  rects.clear();
-  for (end_ = begin_; end_ < spaces_.size() && spaces_[end_].min.z == z; ++end_) {
-    const Space& space = spaces_[end_];
-    rects.push_back({space.min.x, space.min.y, space.max.x, space.max.y});
-  }
+  begin_ = rectsOfLevel(spaces_, z, rects);
+  end_ = begin_ + rects.size();
 }
 
 void LevelSpaces::write(int z, std::vector<Rect>& rects) {

@@ -17,6 +17,9 @@ inline Rect widened(const Rect& rect, int by) {
   return {rect.x0 - by, rect.y0 - by, rect.x1 + by, rect.y1 + by};
 }
 
+/// Fills `rects` with the bases of the sorted spaces at height `z`; the index of the first of them.
+std::size_t rectsOfLevel(const std::vector<Space>& spaces, int z, std::vector<Rect>& rects);
+
 /// Sorted spaces seen as levels of equal base height.
 class LevelSpaces {
  public:

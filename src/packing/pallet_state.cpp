@@ -67,6 +67,25 @@ void PalletState::place(const Placement& placement) {
   addObstacle(placement);
 }
 
+bool PalletState::levelsAfter(const Placement& placement, ChangedLevels& changed) const {
+  if (!levelsAreIndependent() || kind_ != SpaceKind::kSupported) return false;
+  thread_local std::vector<Rect> rects;
+  const auto tell = [&](int z, std::vector<Space>& spaces) {
+    spaces.clear();
+    for (const Rect& r : rects) spaces.push_back({{r.x0, r.y0, z}, {r.x1, r.y1, rules_.size.z}});
+  };
+  const int top = topOf(placement);
+  changed.top.clear();
+  rectsOfLevel(spaces_, placement.origin.z, rects);
+  cutOut(rects, footprintOf(placement));
+  tell(placement.origin.z, changed.base);
+  if (top >= rules_.size.z) return true;
+  rectsOfLevel(spaces_, top, rects);
+  addRect(rects, footprintOf(placement));
+  tell(top, changed.top);
+  return true;
+}
+
 bool PalletState::undo() {
   if (placements_.empty()) return false;
   const Placement placement = placements_.back();

@@ -49,7 +49,7 @@ class Play {
   void step() {
     Situation situation{pallet_, order_.types, {}, remaining_};
     for (const int item : available_) situation.available.push_back(typeOf(item));
-    if (options_.knowledge == Knowledge::kTypes) forgetCounts(situation);
+    if (options_.knowledge == PlayKnowledge::kTypes) forgetCounts(situation);
     const Clock::time_point start = Clock::now();
     packing::StopCallback stop;
     if (options_.budget_ms > 0.0) {
@@ -125,10 +125,10 @@ class Play {
 
 }  // namespace
 
-std::optional<Knowledge> knowledgeFromString(const std::string& word) {
-  if (word == "set") return Knowledge::kSet;
-  if (word == "types") return Knowledge::kTypes;
-  if (word == "order") return Knowledge::kOrder;
+std::optional<PlayKnowledge> playKnowledgeFromString(const std::string& word) {
+  if (word == "set") return PlayKnowledge::kSet;
+  if (word == "types") return PlayKnowledge::kTypes;
+  if (word == "order") return PlayKnowledge::kOrder;
   return std::nullopt;
 }
 
@@ -136,7 +136,7 @@ std::vector<std::string> problems(const PlayOptions& options) {
   std::vector<std::string> found = problems(options.planner);
   if (options.n_pick < 1)
     found.push_back("n_pick: " + std::to_string(options.n_pick) + ": must be at least 1");
-  if (options.knowledge == Knowledge::kOrder && options.planner.method != PlanMethod::kBest) {
+  if (options.knowledge == PlayKnowledge::kOrder && options.planner.method != PlanMethod::kBest) {
     found.emplace_back("knowledge: the order: only the method best can use it");
   }
   if (!(options.budget_ms >= 0.0)) {
@@ -148,7 +148,7 @@ std::vector<std::string> problems(const PlayOptions& options) {
 PlayResult playArrivals(const packing::Order& order, const std::vector<int>& arrival,
                         const PlayOptions& options, const PlayProgress& progress) {
   check(order, arrival, options);
-  if (options.knowledge == Knowledge::kOrder) return playKnownOrder(order, arrival, options);
+  if (options.knowledge == PlayKnowledge::kOrder) return playKnownOrder(order, arrival, options);
   Play play(order, arrival, options);
   while (!play.over()) {
     play.step();

@@ -1,6 +1,5 @@
 #include <limits>
 #include <numeric>
-#include <utility>
 
 #include <mixed_palletizing/planning/playout.hpp>
 
@@ -10,7 +9,7 @@ namespace mixed_palletizing::planning {
 
 Playout::Playout(const std::vector<packing::ItemType>& types, const packing::PalletRules& rules,
                  const PolicyWeights& weights, const GripperEnvelope& gripper)
-    : policy_(types, rules, weights), gripper_(gripper), pallet_(rules), trial_(rules), best_(rules) {}
+    : policy_(types, rules, weights), gripper_(gripper), pallet_(rules) {}
 
 std::optional<PlayoutEnd> Playout::play(const PlayoutStart& start, const std::vector<int>& to_come,
                                         const packing::StopCallback& stop) {
@@ -38,31 +37,30 @@ std::optional<PlayoutEnd> Playout::play(const PlayoutStart& start, const std::ve
 /// False when nothing visible fits, or when stopped.
 bool Playout::placeBest(const packing::StopCallback& stop) {
   double best_score = -std::numeric_limits<double>::infinity();
-  int best_type = -1;
+  std::optional<packing::Placement> best;
   for (int type = 0; type < static_cast<int>(visible_.size()); ++type) {
     const auto t = static_cast<std::size_t>(type);
     if (visible_[t] == 0) continue;
     placementsOf(pallet_, policy_.sizes(type), type, Trials::kQuick, gripper_, placements_);
+    if (placements_.empty()) continue;
     --remaining_[t];
+    policy_.prepare(pallet_, remaining_);
+    ++remaining_[t];
     for (const packing::Placement& placement : placements_) {
       if (stop && stop()) {
         stopped_ = true;
         return false;
       }
-      trial_ = pallet_;
-      trial_.place(placement);
-      const double score = policy_.score(trial_, placement, remaining_);
+      const double score = policy_.score(placement);
       if (score <= best_score) continue;
       best_score = score;
-      best_type = type;
-      std::swap(trial_, best_);
+      best = placement;
     }
-    ++remaining_[t];
   }
-  if (best_type < 0) return false;
-  std::swap(pallet_, best_);
-  --visible_[static_cast<std::size_t>(best_type)];
-  --remaining_[static_cast<std::size_t>(best_type)];
+  if (!best) return false;
+  pallet_.place(*best);
+  --visible_[static_cast<std::size_t>(best->type)];
+  --remaining_[static_cast<std::size_t>(best->type)];
   --visible_count_;
   return true;
 }

@@ -50,18 +50,21 @@ void addPlacements(const packing::PalletState& pallet, const std::vector<packing
   }
   for (const packing::Vec3& size : sizes) {
     std::size_t first = placements.size();  // of this size on this level
-    int level = -1;
+    const packing::Space* last = nullptr;
     for (const packing::Space& space : pallet.spaces()) {
       if (!fits(size, space)) continue;
-      if (space.min.z != level) first = placements.size();
-      level = space.min.z;
+      if (last == nullptr || space.min.z != last->min.z) first = placements.size();
+      const bool new_corner = last == nullptr || space.min != last->min;  // those of one follow each other
+      last = &space;
       if (!pallet.fullSupport()) {
         const auto placement = atSoundCorner(pallet, space, size, type);
         if (placement && (placements.empty() || !(placements.back() == *placement))) {
           placements.push_back(*placement);
         }
-      } else {
+      } else if (trials == Trials::kThorough) {
         addCorners(space, size, type, first, placements);
+      } else if (new_corner) {
+        placements.push_back({type, space.min, size});
       }
     }
   }
@@ -86,18 +89,16 @@ std::vector<ScoredPlacement> scoredPlacements(const packing::PalletState& pallet
                                               const packing::StopCallback& stop) {
   std::vector<ScoredPlacement> scored;
   std::vector<packing::Placement> placements;
-  packing::PalletState trial = pallet;
   bool stopped = false;
   for (const int type : types) {
     if (stopped) break;
     placementsOf(pallet, policy.sizes(type), type, Trials::kThorough, gripper, placements, stop);
     --remaining[static_cast<std::size_t>(type)];
+    policy.prepare(pallet, remaining);
     for (const packing::Placement& placement : placements) {
       stopped = stop && stop();
       if (stopped) break;
-      trial = pallet;
-      trial.place(placement);
-      scored.push_back({placement, policy.score(trial, placement, remaining)});
+      scored.push_back({placement, policy.score(placement)});
     }
     ++remaining[static_cast<std::size_t>(type)];
   }

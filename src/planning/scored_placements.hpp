@@ -17,14 +17,14 @@ struct ScoredPlacement {
 
 /// Which placements are tried.
 enum class Trials {
-  kQuick,  ///< with full support at every corner of every space; else in every space at the first corner, from
-           ///< the one nearest to the origin on, that keeps all rules
-  kThorough,  ///< as packing::cornerPlacements(): where a space may not carry a box everywhere, also flush with
-              ///< the edges of the tops below
+  kQuick,  ///< in every space the one at the corner nearest to the origin; where that one breaks a rule, the
+           ///< first at another corner that keeps all
+  kThorough,  ///< at every corner of every space; where a space may not carry a box everywhere, also flush with the
+              ///< edges of the tops below: packing::cornerPlacements()
 };
 
-/// Placements of an item that may stand in `sizes` which the gripper reaches; with full support each once, and
-/// kQuick and kThorough are the same. When `stop` cuts kThorough short, those found until then.
+/// Placements of an item that may stand in `sizes` which the gripper reaches; with full support each once. When `stop`
+/// cuts kThorough short, those found until then.
 void placementsOf(const packing::PalletState& pallet, const std::vector<packing::Vec3>& sizes, int type,
                   Trials trials, const GripperEnvelope& gripper, std::vector<packing::Placement>& placements,
                   const packing::StopCallback& stop = {});

@@ -11,8 +11,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / 'experiments'))
 
-from mp_experiments import (detection_rows, errors, page, pallet_pictures, plots, published_packings,  # noqa: E402
-                            statistics, thesis_tables, tools)
+from mp_experiments import (detection_rows, errors, page, pallet_pictures, planning_sets, plots,  # noqa: E402
+                            published_packings, statistics, thesis_tables, tools)
 
 
 def summary(**changes):
@@ -96,6 +96,9 @@ class Pictures(unittest.TestCase):
                       {'type': 'b', 'origin_mm': [600, 0, 0], 'size_mm': [300, 400, 100]}]
         self.assertTrue(pallet_pictures.pallet(placements, [1200, 800, 600]).startswith(b'\x89PNG'))
         self.assertTrue(pallet_pictures.pallet([], [1200, 800, 600]).startswith(b'\x89PNG'))
+        grown = pallet_pictures.growing(placements, [1200, 800, 600], 5)
+        self.assertEqual([picks for picks, _ in grown], [1, 2])
+        self.assertNotEqual(grown[0][1], grown[1][1])
 
     def test_a_missing_picture_is_named(self):
         with self.assertRaisesRegex(errors.ExperimentError, 'nowhere.png'):
@@ -124,7 +127,46 @@ class PublishedPackings(unittest.TestCase):
                 published_packings.first_instances(self.file, 2, self.part)
 
 
+class RealOrders(unittest.TestCase):
+    HEADER = 'Order,Product,Quantity,Length,Width,Height,Weight\n'
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.file, self.part = pathlib.Path(scratch.name) / 'orders.csv', pathlib.Path(scratch.name) / 'part.csv'
+
+    def test_orders_of_about_a_pallet_are_cut_out(self):
+        lines = ['a,1,1,100,100,100,1\n', 'b,1,10,1000,800,100,1\n', 'c,1,9,1000,1000,100,1\n', 'd,1,99,1000,1000,100,1\n']
+        self.file.write_text(self.HEADER + ''.join(lines))
+        planning_sets.first_orders(self.file, 5, self.part)
+        self.assertEqual(self.part.read_text(), self.HEADER + lines[1] + lines[2])
+        planning_sets.first_orders(self.file, 1, self.part)
+        self.assertEqual(self.part.read_text(), self.HEADER + lines[1])
+
+    def test_broken_files_are_named(self):
+        for text in ('a,b\n1,2\n', self.HEADER + 'a,1,x,1,1,1,1\n'):
+            self.file.write_text(text)
+            with self.assertRaisesRegex(errors.ExperimentError, 'orders.csv: is no file of orders'):
+                planning_sets.first_orders(self.file, 2, self.part)
+
+
+class Regret(unittest.TestCase):
+    def test_is_counted_by_order(self):
+        def results(*used):
+            return [{'name': str(i), 'utilization': u, 'unpacked': [1] if u < 1.0 else []} for i, u in enumerate(used)]
+        row = planning_sets.result_row('x', results(0.9, 0.8, 1.0), results(0.8, 0.85, 1.0), results(0.95, 0.9, 1.0))
+        self.assertEqual(row[2:6], ['1 of 3', '90.00', '8.16', '0.7'])
+        self.assertEqual((row[6].text, row[6].kind, row[8]), ('5.00', '', '1 of 3'))
+
+
 class Runner(unittest.TestCase):
+    def test_the_bar_counts_commands(self):
+        runner = tools.Tools(ROOT, quiet=True)
+        self.assertEqual(runner.bar(), '')
+        runner.expected = 4
+        runner.run('true', [])
+        self.assertEqual(runner.bar(4), '[#...] 1/4')
+
     def test_a_missing_tool_is_named(self):
         with self.assertRaisesRegex(errors.ExperimentError, 'no_such_tool not found'):
             tools.Tools(ROOT, quiet=True).run('no_such_tool', [])

@@ -17,6 +17,12 @@ enum class SpaceKind {
   kEmpty,      ///< empty maximal spaces (Lai and Chan 1997): every maximal empty cuboid, supported or not
 };
 
+/// The spaces of the two levels that a placement changes.
+struct ChangedLevels {
+  std::vector<Space> base;  ///< at its base height
+  std::vector<Space> top;   ///< at the height of its top
+};
+
 /// Value type: copy it to try something; a copy is two flat vectors. place() and undo() keep the spaces up to
 /// date in time that grows with the number of spaces of the two levels touched, microseconds in practice.
 ///
@@ -63,6 +69,11 @@ class PalletState {
 
   /// Adds a box. Throws std::invalid_argument with whyNot() when it breaks a rule.
   void place(const Placement& placement);
+
+  /// What place(placement) would leave of the levels that it changes, in no order; all other spaces stay as they are.
+  /// False, and nothing told, where it would change more: with a gap, partial support or empty maximal spaces. The placement
+  /// must be accepted.
+  bool levelsAfter(const Placement& placement, ChangedLevels& changed) const;
 
   /// Takes the last box back; false when the pallet is empty.
   bool undo();

@@ -8,6 +8,7 @@
 
 #include <mixed_palletizing/packing/pallet_state.hpp>
 #include <mixed_palletizing/packing/types.hpp>
+#include <mixed_palletizing/planning/room_sums.hpp>
 #include <mixed_palletizing/planning/space_capacity.hpp>
 
 namespace mixed_palletizing::planning {
@@ -58,12 +59,15 @@ class PlacementPolicy {
   PlacementPolicy(const std::vector<packing::ItemType>& types, const packing::PalletRules& rules,
                   const PolicyWeights& weights);
 
-  /// Higher is better. `after` is the pallet with `placement` on it, `remaining` the count per type without it.
-  /// Linear in the number of spaces times the number of types.
-  double score(const packing::PalletState& after, const packing::Placement& placement,
-               const std::vector<int>& remaining);
+  /// From now on score() rates places of one item on `before`, which must stay as it is meanwhile; `remaining` is the count
+  /// per type without the item. Linear in the number of spaces times the number of types.
+  void prepare(const packing::PalletState& before, const std::vector<int>& remaining);
 
-  /// The values that score() weighs.
+  /// How promising the pallet would be with `placement`, which the pallet must accept; higher is better. Linear in the
+  /// spaces of the two levels that change where PalletState::levelsAfter() tells them.
+  double score(const packing::Placement& placement);
+
+  /// The values that score() weighs, by their definition: `after` is the pallet with `placement` on it.
   PolicyWeights features(const packing::PalletState& after, const packing::Placement& placement,
                          const std::vector<int>& remaining);
 
@@ -78,10 +82,17 @@ class PlacementPolicy {
   double palletVolume() const { return pallet_volume_; }  ///< [mm^3]
 
  private:
+  struct LevelSums {
+    int z = 0;
+    RoomSums sums;
+  };
+
+  double weighed(const PolicyWeights& f) const;
+  void addSpace(const packing::Space& space, const std::vector<int>& remaining, RoomSums& sums);
+  int sumUnchanged(int base, int top);
   void addDemand(const std::vector<int>& remaining, PolicyWeights& f) const;
-  void addTop(const packing::PalletState& after, const packing::Placement& placement, PolicyWeights& f) const;
-  void addSpaces(const packing::PalletState& after, const packing::Placement& placement,
-                 const std::vector<int>& remaining, PolicyWeights& f);
+  PolicyWeights featuresOf(const packing::Placement& placement, const std::vector<int>& remaining, int levels,
+                           int lowest, double largest_top) const;
 
   std::vector<std::vector<packing::Vec3>> sizes_;
   std::vector<double> volumes_;     ///< [mm^3] per type
@@ -90,8 +101,16 @@ class PlacementPolicy {
   double pallet_volume_;
   PolicyWeights weights_;
   SpaceCapacity capacity_;
-  std::vector<int> places_;      ///< per type, of the pallet being judged
-  std::vector<int> capacities_;  ///< likewise
+  RoomSums after_;  ///< of the pallet being judged
+
+  // Of the pallet given to prepare().
+  const packing::PalletState* before_ = nullptr;
+  std::vector<int> remaining_;
+  RoomSums all_;
+  std::vector<LevelSums> levels_;  ///< the first level_count_ count, from the lowest on
+  std::size_t level_count_ = 0;
+  packing::ChangedLevels changed_;
+  packing::PalletState trial_;
 };
 
 }  // namespace mixed_palletizing::planning

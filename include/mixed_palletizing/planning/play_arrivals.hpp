@@ -13,18 +13,18 @@
 namespace mixed_palletizing::planning {
 
 /// What the planner is told of the items still to come.
-enum class Knowledge {
+enum class PlayKnowledge {
   kSet,    ///< how many of each type, never their order
   kTypes,  ///< the types only: as many of each as fill the free volume in equal shares are expected
   kOrder,  ///< every arrival, as no planner knows it: what knowing would be worth; kBest only
 };
 
 /// Parses "set", "types" or "order"; std::nullopt for another word.
-std::optional<Knowledge> knowledgeFromString(const std::string& word);
+std::optional<PlayKnowledge> playKnowledgeFromString(const std::string& word);
 
 struct PlayOptions {
   PlannerOptions planner;
-  Knowledge knowledge = Knowledge::kSet;
+  PlayKnowledge knowledge = PlayKnowledge::kSet;
   int n_pick = 3;          ///< N_pick: items visible at a time
   double budget_ms = 0.0;  ///< per decision; 0 = bounded by iterations only, hence reproducible
   std::uint64_t seed = 1;

@@ -50,8 +50,6 @@ class Playout {
   PlacementPolicy policy_;
   GripperEnvelope gripper_;
   packing::PalletState pallet_;
-  packing::PalletState trial_;
-  packing::PalletState best_;
   std::vector<int> visible_;
   std::vector<int> remaining_;
   std::vector<packing::Placement> placements_;

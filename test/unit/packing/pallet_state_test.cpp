@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <limits>
 #include <random>
@@ -108,6 +109,31 @@ void compareEverywhere(const PalletState& state, const Vec3& size) {
         ASSERT_EQ(reason.empty(), state.accepts(p)) << x << " " << y << " " << z << ": " << reason;
       }
     }
+  }
+}
+
+TEST(PalletState, tellsTheChangedLevelsBeforehand) {
+  std::mt19937_64 rng(23);
+  for (int round = 0; round < 400; ++round) {
+    PalletState state = test::randomPallet({{12, 10, 9}, round % 4 == 3 ? 1 : 0, 1.0}, rng, 12, 5);
+    if (state.spaces().empty()) continue;
+    const Placement placement = test::randomPlacement(state, rng, 5);
+    if (!state.accepts(placement)) continue;
+    ChangedLevels changed;
+    const bool told = state.levelsAfter(placement, changed);
+    EXPECT_EQ(told, state.rules().gap == 0) << "seed 23, round " << round;
+    if (!told) continue;
+    const int base = placement.origin.z;
+    const int top = base + placement.size.z;
+    std::vector<Space> expected = changed.base;
+    expected.insert(expected.end(), changed.top.begin(), changed.top.end());
+    for (const Space& space : state.spaces()) {
+      if (space.min.z != base && space.min.z != top) expected.push_back(space);
+    }
+    state.place(placement);
+    EXPECT_TRUE(
+        std::is_permutation(expected.begin(), expected.end(), state.spaces().begin(), state.spaces().end()))
+        << "seed 23, round " << round;
   }
 }
 

@@ -77,7 +77,7 @@ TEST(PlayArrivals, knowingTheTypesOnlyKeepsTheRules) {
   for (int i = 0; i < 8; ++i) {
     const instances::Instance instance = instances::generateInstance({}, 63, i);
     PlayOptions options;
-    options.knowledge = Knowledge::kTypes;
+    options.knowledge = PlayKnowledge::kTypes;
     options.planner.best.samples = 4;
     options.planner.method = i % 4 == 0 ? PlanMethod::kGa : PlanMethod::kBest;
     const PlayResult play = playArrivals(instance.order, instance.arrival, options);
@@ -98,7 +98,7 @@ TEST(PlayArrivals, whoKnowsTheOrderKeepsTheRulesAndLeavesNoMore) {
     instance.n_pick = test::draw(rng, 1, 5);
     PlayOptions options;
     options.n_pick = instance.n_pick;
-    options.knowledge = Knowledge::kOrder;
+    options.knowledge = PlayKnowledge::kOrder;
     const PlayResult play = playArrivals(instance.order, instance.arrival, options);
     const auto faults = faultsOf(instance, play);
     EXPECT_TRUE(faults.empty()) << "seed 64, run " << run << ": " << faults.front();
@@ -106,7 +106,7 @@ TEST(PlayArrivals, whoKnowsTheOrderKeepsTheRulesAndLeavesNoMore) {
         << "seed 64, run " << run;
     EXPECT_EQ(playArrivals(instance.order, instance.arrival, options).unpacked, play.unpacked);
     known += play.utilization;
-    options.knowledge = Knowledge::kSet;
+    options.knowledge = PlayKnowledge::kSet;
     options.planner.best.candidates = 1;  // the policy alone
     policy += playArrivals(instance.order, instance.arrival, options).utilization;
   }
@@ -126,9 +126,9 @@ TEST(PlayArrivals, refusesBadInput) {
   options.n_pick = 0;
   options.budget_ms = std::numeric_limits<double>::quiet_NaN();
   options.planner.method = PlanMethod::kGa;
-  options.knowledge = Knowledge::kOrder;  // of use for kBest only
+  options.knowledge = PlayKnowledge::kOrder;  // of use for kBest only
   EXPECT_EQ(problems(options).size(), 3U);
-  EXPECT_FALSE(knowledgeFromString("all"));
+  EXPECT_FALSE(playKnowledgeFromString("all"));
   EXPECT_THROW(playArrivals(instance.order, instance.arrival, options), std::invalid_argument);
   std::vector<int> arrival = instance.arrival;
   arrival.pop_back();

@@ -69,7 +69,10 @@ TEST(TunePolicy, improvesNoWeightsAtAll) {
     EXPECT_GE(report.best_value, report.mean.value);
   });
   EXPECT_EQ(reports, options.iterations);
-  const std::vector<TuningOrder> unseen = orders(1000);
+  std::vector<TuningOrder> unseen;
+  for (int i = 1000; i < 1010; ++i) {
+    for (TuningOrder& order : orders(i)) unseen.push_back(std::move(order));
+  }
   EXPECT_GT(playPolicy(unseen, tuned).value, playPolicy(unseen, {}).value);
   options.threads = 2;
   EXPECT_EQ(tunePolicy(options, orders), tuned);
