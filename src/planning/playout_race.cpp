@@ -19,6 +19,8 @@ constexpr std::size_t kMostRoundsAtOnce = 1024;
 constexpr double kStandardErrorsBehind = 2.5;
 /// Rounds after which pairs that were rated lower may enter: before, the time is better spent on the first.
 constexpr std::size_t kSettledRounds = 32;
+/// ... and after each so many rounds one: the first keep the larger part of the time.
+constexpr std::size_t kRoundsPerEntry = 4;
 /// Rounds of the leader, nothing left over in any of them, after which the race is decided.
 constexpr std::size_t kSureRounds = 64;
 /// Rounds without any difference between the runners after which the race is called off.
@@ -83,8 +85,9 @@ void PlayoutRace::run(std::optional<int> samples, const packing::StopCallback& s
     std::size_t step = std::max(kRoundsBetweenDrops, least);  // of those who catch up
     if (least == lead) {
       if (certain()) return;
-      const bool settled = lead >= std::min(kSettledRounds, most) || racing() < 2;
-      if (others_enter && settled && enterMore(most)) continue;
+      const std::size_t entered = runners_.size() - std::min(lanes_, pairs_.size());
+      const bool due = lead >= kSettledRounds && entered < lead / kRoundsPerEntry;
+      if (others_enter && (due || racing() < 2 || lead >= most) && enterMore(most)) continue;
       if (lead >= most || racing() < 2 || (lead >= kEqualRounds && noDifference())) return;
       step = std::max(kRoundsBetweenDrops, lead / kRoundsBetweenDrops);
     }
@@ -135,8 +138,8 @@ std::vector<int> PlayoutRace::arrivalOf(std::size_t future) const {
   return arrival;
 }
 
-/// Those racing with fewer futures than `rounds` play up to so many; they all played the same number before. False when
-/// stopped; the rounds that all of them completed count.
+/// Those racing with fewer futures than `rounds` play up to so many; they all played the same number before. False
+/// when stopped; the rounds that all of them completed count.
 bool PlayoutRace::playUntil(std::size_t rounds, const packing::StopCallback& stop) {
   std::vector<std::size_t> players;
   for (std::size_t i = 0; i < runners_.size(); ++i) {

@@ -29,8 +29,8 @@ class PlayoutRace {
   PlayoutRace(const Situation& situation, const std::vector<ScoredPlacement>& pairs, int lanes,
               std::vector<Playout>& engines, std::uint64_t seed);
 
-  /// `samples` futures at most for each of the first pairs; without a number until `stop` cuts in, and pairs that drop out
-  /// are replaced by the next. Ends before that when the decision is certain or one runner is left.
+  /// `samples` futures at most for each of the first pairs; without a number until `stop` cuts in, and pairs that
+  /// drop out are replaced by the next. Ends before that when the decision is certain or one runner is left.
   void run(std::optional<int> samples, const packing::StopCallback& stop);
 
   /// Those that raced, in the order of the pairs.

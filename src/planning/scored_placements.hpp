@@ -29,8 +29,8 @@ void placementsOf(const packing::PalletState& pallet, const std::vector<packing:
                   Trials trials, const GripperEnvelope& gripper, std::vector<packing::Placement>& placements,
                   const packing::StopCallback& stop = {});
 
-/// All placements (kThorough) of one item of each type in `types` (sorted, distinct), best first. `remaining` is the count
-/// per type with these items. When `stop` cuts in, those rated until then.
+/// All placements (kThorough) of one item of each type in `types` (sorted, distinct), best first. `remaining` is the
+/// count per type with these items. When `stop` cuts in, those rated until then.
 std::vector<ScoredPlacement> scoredPlacements(const packing::PalletState& pallet,
                                               const std::vector<int>& types, std::vector<int> remaining,
                                               const GripperEnvelope& gripper, PlacementPolicy& policy,

@@ -70,9 +70,9 @@ class PalletState {
   /// Adds a box. Throws std::invalid_argument with whyNot() when it breaks a rule.
   void place(const Placement& placement);
 
-  /// What place(placement) would leave of the levels that it changes, in no order; all other spaces stay as they are.
-  /// False, and nothing told, where it would change more: with a gap, partial support or empty maximal spaces. The placement
-  /// must be accepted.
+  /// What place(placement) would leave of the levels that it changes, in no order; all other spaces stay as they
+  /// are. False, and nothing told, where it would change more: with a gap, partial support or empty maximal spaces.
+  /// The placement must be accepted.
   bool levelsAfter(const Placement& placement, ChangedLevels& changed) const;
 
   /// Takes the last box back; false when the pallet is empty.

@@ -59,8 +59,8 @@ class PlacementPolicy {
   PlacementPolicy(const std::vector<packing::ItemType>& types, const packing::PalletRules& rules,
                   const PolicyWeights& weights);
 
-  /// From now on score() rates places of one item on `before`, which must stay as it is meanwhile; `remaining` is the count
-  /// per type without the item. Linear in the number of spaces times the number of types.
+  /// From now on score() rates places of one item on `before`, which must stay as it is meanwhile; `remaining` is
+  /// the count per type without the item. Linear in the number of spaces times the number of types.
   void prepare(const packing::PalletState& before, const std::vector<int>& remaining);
 
   /// How promising the pallet would be with `placement`, which the pallet must accept; higher is better. Linear in the
