@@ -9,7 +9,6 @@
 namespace mixed_palletizing::simulation {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kOutsideRatio =
     0.15;  // centres of cut boxes lie up to this share of the image beyond its border
 constexpr int kNeighbourAttempts = 20;
