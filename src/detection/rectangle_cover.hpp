@@ -59,7 +59,6 @@ class RectangleCover {
   std::array<std::vector<Support>, 2> lines_;
   LocalBox bounds_;
   double pitch_m_ = 0.0;
-  double all_top_ = 0.0;
   std::vector<CoverBox> candidates_;
   std::vector<std::size_t> chosen_;
   std::vector<std::size_t> best_;

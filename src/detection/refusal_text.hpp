@@ -7,11 +7,13 @@
 namespace mixed_palletizing::detection {
 
 /// printf into a string, cut after 159 characters.
-template <typename... Values>
-std::string text(const char* format, Values... values) {
+template <typename First, typename... Rest>
+std::string text(const char* format, First first, Rest... rest) {
   char buffer[160];
-  std::snprintf(buffer, sizeof buffer, format, values...);
+  std::snprintf(buffer, sizeof buffer, format, first, rest...);
   return buffer;
 }
+
+inline std::string text(const char* words) { return words; }
 
 }  // namespace mixed_palletizing::detection
