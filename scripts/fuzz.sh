@@ -6,12 +6,14 @@
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
 
+rows=  # for the table of scripts/torture.sh
 runs=100000
 seconds=300
 names=()
 while [ $# -gt 0 ]; do
   case $1 in
     --runs) runs=${2:?--runs needs a number}; shift ;;
+    --rows) rows=yes ;;
     --seconds) seconds=${2:?--seconds needs a number}; shift ;;
     cloud|journal|order|scene) names+=("$1") ;;
     *) die "unknown argument '$1'; usage: scripts/fuzz.sh [--runs N] [--seconds S] [cloud|journal|order|scene ...]" ;;
@@ -41,12 +43,16 @@ for name in "${names[@]}"; do
   if "$build/devel/lib/mixed_palletizing/${name}_fuzzer" -runs="$runs" -max_total_time="$seconds" -max_len=65536 \
     -artifact_prefix="$workspace/fuzz_corpus/$name-" "$found" "$root/test/fuzz/corpus/$name" >"$log" 2>&1; then
     verdict='0 findings'
+    lost=0
   else
     verdict="FOUND a fault: $log"
     failed=1
+    lost=1
   fi
   done_runs=$(grep -oE 'Done [0-9]+ runs' "$log" | grep -oE '[0-9]+' || grep -oE '^#[0-9]+' "$log" | tail -n 1 | tr -d '#')
   printf '%-8s %10s runs in %5s s, coverage %s, %s\n' "$name" "${done_runs:-0}" $((SECONDS - start)) \
     "$(grep -oE 'cov: [0-9]+' "$log" | tail -n 1 | grep -oE '[0-9]+' || echo 0)" "$verdict"
+  [ -z "$rows" ] || printf 'ROW {"test": "fuzzed %s", "tried": %s, "survived": %s, "lost": %s, "p99_s": null, "slowest_s": null}\n' \
+    "$name" "${done_runs:-0}" $((${done_runs:-0} - lost)) "$lost"
 done
 exit $failed

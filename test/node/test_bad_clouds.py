@@ -100,8 +100,8 @@ class BadClouds(unittest.TestCase):
         path = rospy.get_param('~table', '')
         if path:
             with open(path, 'w', encoding='utf-8') as out:
-                json.dump({'test': 'bad clouds through the nodelet', 'tried': cls.tried, 'survived': cls.survived,
-                           'lost': cls.tried - cls.survived, 'slowest_s': round(cls.slowest_s, 3)}, out)
+                json.dump({'test': 'bad or odd cloud, then a good one', 'tried': cls.tried, 'survived': cls.survived,
+                           'lost': cls.tried - cls.survived, 'p99_s': None, 'slowest_s': round(cls.slowest_s, 3)}, out)
 
 
 if __name__ == '__main__':
