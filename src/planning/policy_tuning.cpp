@@ -26,7 +26,8 @@ struct Tried {
 
 PolicyWeights drawn(const PolicyWeights& mean, const PolicyWeights& deviation, packing::Random& random) {
   PolicyWeights weights;
-  for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = mean[i] + deviation[i] * packing::normal(random);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    weights[i] = mean[i] + deviation[i] * packing::normal(random);
   return weights;
 }
 

@@ -28,8 +28,8 @@ struct DetectedBox {
   /// Of the plane that fits the top best, up, length 1: how far the top leans. Pose and size are those of an
   /// upright box.
   Eigen::Vector3d top_normal = Eigen::Vector3d::UnitZ();
-  double yaw_rad = 0.0;                                  ///< of the length axis about z, in [-pi/2, pi/2)
-  Eigen::Vector3d size = Eigen::Vector3d::Zero();        ///< length >= width, height
+  double yaw_rad = 0.0;                            ///< of the length axis about z, in [-pi/2, pi/2)
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();  ///< length >= width, height
   Eigen::Vector3d size_stddev = Eigen::Vector3d::Zero();
   /// Covariance of (x, y, z, roll, pitch, yaw), row-major, about the fixed axes of the base frame (REP 103).
   Eigen::Matrix<double, 6, 6> pose_covariance = Eigen::Matrix<double, 6, 6>::Zero();
