@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "seam_colors.hpp"
+
 namespace mixed_palletizing::detection {
 namespace {
 
@@ -178,8 +180,11 @@ double SeamSearch::strengthAt(int i, int axis, const Stretch& stretch, const Top
   }
   const double by_dip = everywhere ? dip / least : 0.0;
   double by_color = static_cast<double>(all_.steps[at]) / (kColorShare * inside);
-  if (by_color > 1.0 && !(endsAt(stretch.from_m, -1, i, axis) && endsAt(stretch.to_m, 1, i, axis)))
+  if (by_color > 1.0 &&
+      !(endsAt(stretch.from_m, -1, i, axis) && endsAt(stretch.to_m, 1, i, axis) &&
+        changesEvenly(lattice_, {i, kNear, kWindow, stretch.first, stretch.last}, color_step_))) {
     by_color = 0.0;
+  }
   const double strength = std::max(by_dip, by_color);
   return strength > 1.0 ? strength + 0.01 * by_dip : 0.0;
 }
