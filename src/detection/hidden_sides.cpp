@@ -19,7 +19,8 @@ constexpr double kParallel = 0.02;      // [rad]
 constexpr double kContactReach = 0.1;   // [m] hidden behind a box that stands against the side
 constexpr double kContactGap = 0.0005;  // [m]
 constexpr double kContactStddev = 0.001;
-constexpr double kContactShare = 0.15;  // of the hidden length, that remains uncertain
+constexpr double kUnseenStddev = 0.015;  // [m] a flap or a print beyond the side may have passed for the top
+constexpr double kContactShare = 0.15;   // of the hidden length, that remains uncertain
 
 /// What ends the search outwards from a side.
 struct Range {
@@ -82,7 +83,7 @@ void completeHidden(const LevelContext& context, std::vector<FittedTop>& tops) {
       const Eigen::Vector2d out = kOutward[side].x() * r.axisX() + kOutward[side].y() * r.axisY();
       const double move = range.contact ? std::max(0.0, range.length_m - kContactGap) : 0.5 * range.length_m;
       fit.stddev_m = range.contact ? std::hypot(kContactStddev, kContactShare * range.length_m)
-                                   : std::hypot(range.length_m / std::sqrt(12.0), tops[i].group->pixel_m);
+                                   : std::hypot(range.length_m / std::sqrt(12.0), kUnseenStddev);
       r.center += 0.5 * move * out;
       r.size(side % 2 == 0 ? 1 : 0) += move;
     }
