@@ -20,13 +20,13 @@ CORE_ROOMS = {
     'experiments': (('geometry', 'detection', 'packing', 'planning', 'instances', 'simulation'),
                     ('Eigen/', 'opencv2/', 'nlohmann/')),
 }
-# The rooms that may know ROS and every core room: room: other joining rooms it may include.
+# What may know ROS and every core room: the adapters with their parts, and the nodes; each with those of them it may include.
 JOINING_ROOMS = {
     'adapters': (),
-    'captures': ('adapters',),
-    'cell': ('adapters', 'captures'),
-    'rviz_panel': ('adapters',),
-    'nodes': ('adapters', 'captures', 'cell'),
+    'adapters/captures': ('adapters',),
+    'adapters/cell': ('adapters', 'adapters/captures'),
+    'adapters/rviz_panel': ('adapters',),
+    'nodes': ('adapters', 'adapters/captures', 'adapters/cell'),
 }
 
 STANDARD_HEADER = re.compile(r'^[a-z_0-9]+$')
@@ -37,13 +37,19 @@ FORBIDDEN_IN_CORE = re.compile(
     r'|\b(std::)?(exit|abort|terminate)\s*\(|\bassert\s*\(|\bstd::time\s*\(')
 
 
+def room_in(folders):
+    """Room of a file in these folders, the outermost first; a part of the adapters is a room of its own."""
+    part = '/'.join(folders[:2])
+    return part if part in JOINING_ROOMS else folders[0]
+
+
 def room_of(path):
     """Room of a file relative to the package root, or None."""
     parts = path.parts
     if parts[0] == 'include' and len(parts) > 3:
-        return parts[2]
+        return room_in(parts[2:-1])
     if parts[0] == 'src' and len(parts) > 2:
-        return parts[1]
+        return room_in(parts[1:-1])
     return None
 
 
@@ -55,7 +61,7 @@ def include_fault(room, quote, target):
         inner = target[len(PACKAGE) + 1:]
         if '/' not in inner:  # a generated message
             return f'generated message <{target}> in a core room' if room in CORE_ROOMS else None
-        other = inner.split('/')[0]
+        other = room_in(inner.split('/')[:-1])
         if other == room:
             return None
         if room in CORE_ROOMS:

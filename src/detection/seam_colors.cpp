@@ -10,6 +10,9 @@ namespace {
 constexpr double kSameShare = 0.7;    // of the lines that must change alike
 constexpr double kSameChange = 0.35;  // of the usual change: what one line may differ
 
+constexpr double kEndFrom = 0.004;  // [m] behind the end of a change of colour ...
+constexpr double kEndTo = 0.010;    // ... and up to here there is no surface
+
 using Change = std::array<double, 3>;
 
 /// Mean colour of the surface in the window that begins at a place; nothing when less than half of it is seen.
@@ -66,6 +69,19 @@ bool changesEvenly(const SeamLattice& lattice, const SeamWindows& windows, doubl
     return true;
   });
   return static_cast<double>(same) >= kSameShare * static_cast<double>(changes.size());
+}
+
+bool surfaceEnds(const SeamLattice& lattice, double along_m, int sign, const std::array<int, 2>& places) {
+  int tops = 0;
+  int all = 0;
+  for (double off = kEndFrom; off <= kEndTo; off += lattice.lineStep()) {
+    const int line = static_cast<int>(std::lround(lattice.lineAt(along_m + sign * off)));
+    for (const int at : places) {
+      ++all;
+      if (lattice.top(line, at)) ++tops;
+    }
+  }
+  return 2 * tops <= all;
 }
 
 }  // namespace mixed_palletizing::detection

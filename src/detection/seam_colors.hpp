@@ -1,6 +1,8 @@
 // Whether a change of colour along a line is that of two boxes.
 #pragma once
 
+#include <array>
+
 #include "seam_lattice.hpp"
 
 namespace mixed_palletizing::detection {
@@ -18,5 +20,9 @@ struct SeamWindows {
 /// does; edges of several labels that happen to lie on one line change it by one amount and another. Amounts that
 /// differ by less than `tolerance` (of 255) are the same.
 bool changesEvenly(const SeamLattice& lattice, const SeamWindows& windows, double tolerance);
+
+/// Whether the surface ends there, seen at two places across: a few millimetres farther along (`sign`: 1, or -1 for
+/// backwards) at most half of it is left.
+bool surfaceEnds(const SeamLattice& lattice, double along_m, int sign, const std::array<int, 2>& places);
 
 }  // namespace mixed_palletizing::detection

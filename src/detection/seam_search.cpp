@@ -19,8 +19,6 @@ constexpr double kDipSigmas = 7.0;
 constexpr double kPartShare = 0.3;      // of the mean dip that every part must show, less its noise
 constexpr double kColorShare = 0.8;     // of a seam's lines that must show the step
 constexpr double kInsideShare = 0.75;   // of a stretch's lines that have surface on both sides
-constexpr double kEndFrom = 0.004;      // [m] behind the end of a change of colour ...
-constexpr double kEndTo = 0.010;        // ... and up to here there is no surface
 constexpr double kEndAtSeam = 0.003;    // [m] or a seam runs across this near
 constexpr double kFar = 0.02;           // [m] to both sides of a seam there must be surface
 constexpr double kShortest = 0.015;     // [m]
@@ -151,16 +149,7 @@ bool SeamSearch::endsAt(double along_m, int sign, int i, int axis) const {
   for (const Seam& seam : seams_) {
     if (seam.axis != axis && std::abs(seam.at_m - along_m) < kEndAtSeam) return true;
   }
-  int tops = 0;
-  int all = 0;
-  for (double off = kEndFrom; off <= kEndTo; off += lattice_.lineStep()) {
-    const int line = static_cast<int>(std::lround(lattice_.lineAt(along_m + sign * off)));
-    for (const int at : {i - kRoom, i + kRoom}) {
-      ++all;
-      if (lattice_.top(line, at)) ++tops;
-    }
-  }
-  return 2 * tops <= all;
+  return surfaceEnds(lattice_, along_m, sign, {i - kRoom, i + kRoom});
 }
 
 /// How much a place looks like a seam, above 1; 0 for none.

@@ -4,7 +4,7 @@
 
 #include <ros/ros.h>
 
-#include <mixed_palletizing/cell/executive.hpp>
+#include <mixed_palletizing/adapters/cell/executive.hpp>
 
 int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // warnings on stderr must not cut lines in a log of both

@@ -4,7 +4,7 @@
 
 #include <ros/ros.h>
 
-#include <mixed_palletizing/cell/simulator.hpp>
+#include <mixed_palletizing/adapters/cell/simulator.hpp>
 
 int main(int argc, char** argv) {
   try {

@@ -5,7 +5,7 @@
 #include <nodelet/nodelet.h>
 #include <pluginlib/class_list_macros.hpp>
 
-#include <mixed_palletizing/cell/simulator.hpp>
+#include <mixed_palletizing/adapters/cell/simulator.hpp>
 
 namespace mixed_palletizing::nodes {
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
+#include <mixed_palletizing/adapters/captures/dataset.hpp>
 #include <mixed_palletizing/adapters/command_line.hpp>
 #include <mixed_palletizing/adapters/progress_line.hpp>
-#include <mixed_palletizing/captures/dataset.hpp>
 
 namespace adapters = mixed_palletizing::adapters;
 namespace captures = mixed_palletizing::captures;

@@ -4,8 +4,8 @@
 #include <iostream>
 #include <string>
 
+#include <mixed_palletizing/adapters/captures/capture_files.hpp>
 #include <mixed_palletizing/adapters/command_line.hpp>
-#include <mixed_palletizing/captures/capture_files.hpp>
 #include <mixed_palletizing/simulation/capture.hpp>
 #include <mixed_palletizing/simulation/scene_file.hpp>
 

@@ -23,6 +23,9 @@ class LayerCheck(unittest.TestCase):
             ('src/packing/a.cpp', '#include <mixed_palletizing/planning/next_pick.hpp>'),
             ('src/packing/a.cpp', '#include <pcl/point_types.h>'),
             ('include/mixed_palletizing/adapters/a.hpp', '#include <mixed_palletizing/nodes/a.hpp>'),
+            ('src/adapters/a.cpp', '#include <mixed_palletizing/adapters/cell/a.hpp>'),
+            ('src/adapters/captures/a.cpp', '#include <mixed_palletizing/adapters/cell/a.hpp>'),
+            ('src/detection/a.cpp', '#include <mixed_palletizing/adapters/cell/a.hpp>'),
             ('src/detection/a.cpp', '#include "../packing/secret.hpp"'),
             ('src/packing/a.cpp', 'std::cout << 1;'),
             ('src/packing/a.cpp', 'std::exit(1);'),
@@ -36,7 +39,7 @@ class LayerCheck(unittest.TestCase):
         for path, text in [
             ('src/planning/a.cpp', '#include <mixed_palletizing/packing/types.hpp>'),
             ('src/detection/a.cpp', '#include <pcl/surface/convex_hull.h>\n#include <vector>\n#include "hull.hpp"'),
-            ('src/rviz_panel/a.cpp', '#include <rviz/panel.h>\n#include <mixed_palletizing/adapters/names.hpp>'),
+            ('src/adapters/rviz_panel/a.cpp', '#include <rviz/panel.h>\n#include <mixed_palletizing/adapters/names.hpp>'),
             ('src/nodes/a.cpp', '#include <ros/ros.h>\n#include <mixed_palletizing/adapters/names.hpp>'),
             ('src/packing/a.cpp', '// std::cout is not for a core room'),
         ]:
