@@ -23,14 +23,19 @@ std::vector<std::string> faultsOf(const instances::Instance& instance, const Pla
   return instances::checkResult(instance, result);
 }
 
+instances::Instance randomInstance(std::mt19937_64& rng) {
+  instances::Instance instance;
+  instance.name = "random";
+  instance.order = test::randomOrder(rng);
+  instance.arrival = test::shuffledItems(instance.order, rng);
+  instance.n_pick = test::draw(rng, 1, 5);
+  return instance;
+}
+
 TEST(PlayArrivals, keepsEveryRuleOnRandomOrders) {
   std::mt19937_64 rng(51);
   for (int run = 0; run < 60; ++run) {
-    instances::Instance instance;
-    instance.name = "random";
-    instance.order = test::randomOrder(rng);
-    instance.arrival = test::shuffledItems(instance.order, rng);
-    instance.n_pick = test::draw(rng, 1, 5);
+    const instances::Instance instance = randomInstance(rng);
     PlayOptions options;
     options.n_pick = instance.n_pick;
     options.planner.method =
@@ -91,11 +96,7 @@ TEST(PlayArrivals, whoKnowsTheOrderKeepsTheRulesAndLeavesNoMore) {
   double known = 0.0;
   double policy = 0.0;
   for (int run = 0; run < 24; ++run) {
-    instances::Instance instance;
-    instance.name = "random";
-    instance.order = test::randomOrder(rng);
-    instance.arrival = test::shuffledItems(instance.order, rng);
-    instance.n_pick = test::draw(rng, 1, 5);
+    const instances::Instance instance = randomInstance(rng);
     PlayOptions options;
     options.n_pick = instance.n_pick;
     options.knowledge = PlayKnowledge::kOrder;
