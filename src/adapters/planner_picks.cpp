@@ -39,6 +39,11 @@ std::vector<std::array<double, 3>> detectedSizes(const ChooseNextPickRequest& re
   return sizes;
 }
 
+std::uint8_t statusOf(const planning::PickOption& option) {
+  if (option.feasible) return PickOption::FEASIBLE;
+  return option.looked_at ? PickOption::DOES_NOT_FIT : PickOption::NOT_LOOKED_AT;
+}
+
 std::optional<planning::PickOutcome> outcomeOf(std::uint8_t word) {
   switch (word) {
     case ReportPickRequest::PLACED:
@@ -107,7 +112,7 @@ void PlannerServer::answer(const planning::ChooseReply& reply, const IdentifiedB
   for (std::size_t i = 0; i < reply.decision.options.size(); ++i) {
     const planning::PickOption& option = reply.decision.options[i];
     PickOption& message = response.options.at(boxes.request_index.at(i));
-    message.status = option.feasible ? PickOption::FEASIBLE : PickOption::DOES_NOT_FIT;
+    message.status = statusOf(option);
     message.feasible = option.feasible ? 1 : 0;
     message.reason = option.reason;
     message.future_costs = option.future_costs;

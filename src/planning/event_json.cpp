@@ -46,6 +46,7 @@ PickOption optionFrom(const json& j) {
   PickOption option;
   option.feasible = j.at("feasible").get<bool>();
   option.reason = j.value("reason", std::string());
+  option.looked_at = j.value("looked_at", true);
   if (!option.feasible) return option;
   option.placement = placementFrom(j.at("placement"));
   option.future_costs = j.at("future_costs").get<std::vector<double>>();
@@ -163,6 +164,7 @@ nlohmann::json toJson(const packing::Placement& placement) {
 nlohmann::json toJson(const PickOption& option) {
   json j{{"feasible", option.feasible}};
   if (!option.reason.empty()) j["reason"] = option.reason;
+  if (!option.looked_at) j["looked_at"] = false;
   if (!option.feasible) return j;
   j["placement"] = toJson(option.placement);
   j["future_costs"] = option.future_costs;

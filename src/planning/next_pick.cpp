@@ -46,6 +46,7 @@ Decision feasibleOptions(const Situation& situation, const PlannerOptions& optio
     const packing::ItemType& item = situation.types[static_cast<std::size_t>(type)];
     PickOption option;
     if (any && stop && stop()) {
+      option.looked_at = false;
       option.reason = "not looked at: the time was up";
       decision.options.push_back(std::move(option));
       continue;

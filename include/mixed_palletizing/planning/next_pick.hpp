@@ -82,6 +82,7 @@ struct PickOption {
   std::vector<double> future_costs;  ///< the N_cost best, ascending: 1 - utilization at the end of the order;
                                      ///< empty when nothing had to be compared or no time was left
   std::string reason;                ///< why not feasible
+  bool looked_at = true;             ///< false: the time was up before
 };
 
 struct Decision {

@@ -12,7 +12,7 @@ constexpr int kMostRetries = 1000;
 constexpr double kMostSeconds = 3600.0;
 
 bool isIdentified(const PickOption& option) {
-  return option.status == PickOption::FEASIBLE || option.status == PickOption::DOES_NOT_FIT;
+  return option.status != PickOption::UNKNOWN_BOX && option.status != PickOption::AMBIGUOUS_BOX;
 }
 
 double volumeOf(const geometry_msgs::Vector3& size) { return size.x * size.y * size.z; }

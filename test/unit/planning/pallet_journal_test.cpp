@@ -55,18 +55,22 @@ TEST_F(Journal, theSessionGoesOnWhereItWas) {
 TEST_F(Journal, aRestoredDecisionIsAnsweredAndReportedAsBefore) {
   packing::Order order;
   order.rules.size = {300, 200, 200};
-  order.types = {{"a", {100, 100, 100}, {}, 0, 0}};
-  order.counts = {4};
+  order.types = {{"a", {100, 100, 100}, {}, 0, 0}, {"b", {200, 100, 100}, {}, 0, 0}};
+  order.counts = {4, 1};
+  const auto time_is_up = [] { return true; };
   ChooseReply first;
   {
     Recorded recorded(path_);
     ASSERT_TRUE(recorded.session.start("p", order, false).ok());
-    first = recorded.session.choose("r", {0, 0}, {}, 0.0, {{3, 5}, {{0.1, 0.1, 0.1}, {0.1, 0.1, 0.1}}});
+    first =
+        recorded.session.choose("r", {0, 1}, time_is_up, 0.0, {{3, 5}, {{0.1, 0.1, 0.1}, {0.2, 0.1, 0.1}}});
   }
   Recorded recorded(path_);
-  const ChooseReply again = recorded.session.choose("r", {0, 0}, {});
+  const ChooseReply again = recorded.session.choose("r", {0, 1}, {});
   EXPECT_EQ(again.decision_id, first.decision_id);
   EXPECT_EQ(again.decision.options[0].placement, first.decision.options[0].placement);
+  EXPECT_TRUE(again.decision.options[0].looked_at);
+  EXPECT_FALSE(again.decision.options[1].looked_at);
   ASSERT_TRUE(recorded.session.knownDecision(first.decision_id));
   EXPECT_EQ(recorded.session.knownDecision(first.decision_id)->notes.request_index,
             (std::vector<std::size_t>{3, 5}));
