@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include <mixed_palletizing/planning/journal_error.hpp>
+
 namespace mixed_palletizing::planning {
 namespace {
 

@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <mixed_palletizing/planning/pallet_journal.hpp>
-
 #include "sqlite_database.hpp"
 
 namespace mixed_palletizing::planning {

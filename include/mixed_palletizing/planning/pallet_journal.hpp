@@ -3,19 +3,13 @@
 
 #include <cstdint>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include <mixed_palletizing/planning/journal_error.hpp>
 #include <mixed_palletizing/planning/session_state.hpp>
 
 namespace mixed_palletizing::planning {
-
-/// The message says what is wrong with which file and what to do.
-class JournalError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// One event as the journal holds it.
 struct JournalEntry {
