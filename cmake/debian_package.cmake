@@ -17,9 +17,9 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION misc)
 # What nobody links: launch, nodelets, the Python programs, frames. Debian's names; on Ubuntu the ROS distribution's.
-set(debian_runtime python3-roslaunch rosbash libnodeletlib-tools python3-rospy python3-rosbag python3-geometry-msgs
+set(debian_runtime python3-roslaunch python3-rosservice rosbash libnodeletlib-tools python3-rospy python3-rosbag python3-geometry-msgs
   python3-std-msgs python3-visualization-msgs tf2-tools)
-set(noetic_runtime ros-noetic-roslaunch ros-noetic-rosbash ros-noetic-nodelet ros-noetic-rospy ros-noetic-rosbag ros-noetic-tf2-ros)
+set(noetic_runtime ros-noetic-roslaunch ros-noetic-rosservice ros-noetic-rosbash ros-noetic-nodelet ros-noetic-rospy ros-noetic-rosbag ros-noetic-tf2-ros)
 if(EXISTS "/opt/ros/noetic")
   list(JOIN noetic_runtime ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
 else()

@@ -25,8 +25,9 @@ JOINING_ROOMS = {
     'adapters': (),
     'adapters/captures': ('adapters',),
     'adapters/cell': ('adapters', 'adapters/captures'),
+    'adapters/converters': ('adapters',),
     'adapters/rviz_panel': ('adapters',),
-    'nodes': ('adapters', 'adapters/captures', 'adapters/cell'),
+    'nodes': ('adapters', 'adapters/captures', 'adapters/cell', 'adapters/converters'),
 }
 
 STANDARD_HEADER = re.compile(r'^[a-z_0-9]+$')

@@ -37,8 +37,17 @@ for number in "$height" "$seed"; do
   case $number in ''|*[!0-9]*) die "'$number' is no whole number" ;; esac
 done
 
-install_packages build ${screenshot:+screenshot}
-make_workspace all
+times=
+# timed NAME COMMAND...: runs the command in this shell and notes how long it took.
+timed() {
+  local name=$1 start=$SECONDS
+  shift
+  "$@"
+  times+="${times:+, }$name $((SECONDS - start)) s"
+}
+
+timed install install_packages build ${screenshot:+screenshot}
+timed build make_workspace all
 use_workspace
 
 absolute() { mkdir -p "$(dirname "$1")"; printf '%s/%s\n' "$(cd "$(dirname "$1")" && pwd)" "$(basename "$1")"; }
@@ -76,19 +85,19 @@ else
   arguments+=(rviz:=true hold_s:=30)
 fi
 
+start=$SECONDS
 say "starting the simulated cell"
 roslaunch --no-summary mixed_palletizing demo.launch "${arguments[@]}" &
 launch=$!
 children+=("$launch")
 
-if [ -n "$screenshot" ]; then
-  # The report is written when the order is complete; the executive then holds the cell for the picture.
-  while kill -0 "$launch" 2>/dev/null && [ ! -s "$report" ]; do sleep 0.5; done
-  if [ -s "$report" ]; then
-    sleep 5
-    import -window root "$screenshot"
-  fi
+# The report is written when the order is complete; the executive then holds the cell, for the picture or for those who look.
+while kill -0 "$launch" 2>/dev/null && [ ! -s "$report" ]; do sleep 0.5; done
+if [ -n "$screenshot" ] && [ -s "$report" ]; then
+  sleep 5
+  import -window root "$screenshot"
 fi
+times+=", run $((SECONDS - start)) s"
 code=0
 wait "$launch" || code=$?
 [ "$code" -eq 0 ] || die "the cell ended with exit code $code"
@@ -97,3 +106,4 @@ wait "$launch" || code=$?
 page=${report%.json}.html
 /usr/bin/python3 "$root/experiments/pallet_report" "$report" --out "$page" >/dev/null
 say "report: $page, $report${screenshot:+, picture: $screenshot}"
+say "times: $times"

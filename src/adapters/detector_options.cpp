@@ -9,6 +9,7 @@ namespace mixed_palletizing::adapters {
 namespace {
 
 constexpr int kMostCalibrationClouds = 1000;
+constexpr int kLongestQueue = 10000;
 
 }  // namespace
 
@@ -24,6 +25,8 @@ std::vector<std::string> problems(const DetectorOptions& options) {
           "calibration_clouds",
           std::to_string(options.calibration_clouds) + " is not within 1 and " +
               std::to_string(kMostCalibrationClouds));
+  require(options.queue_size >= 1 && options.queue_size <= kLongestQueue, "queue_size",
+          std::to_string(options.queue_size) + " is not within 1 and " + std::to_string(kLongestQueue));
   require(std::isfinite(options.cloud_timeout_s) && options.cloud_timeout_s > 0.0, "cloud_timeout_s",
           std::to_string(options.cloud_timeout_s) + " s is not positive");
   require(std::isfinite(options.tf_timeout_s) && options.tf_timeout_s >= 0.0, "tf_timeout_s",
@@ -47,6 +50,7 @@ DetectorOptions readDetectorOptions(const YAML::Node& tree) {
   reader.read("calibration_file", options.calibration_file);
   reader.read("calibration_clouds", options.calibration_clouds);
   reader.read("calibrate_on_start", options.calibrate_on_start);
+  reader.read("queue_size", options.queue_size);
   reader.read("cloud_timeout_s", options.cloud_timeout_s);
   reader.read("tf_timeout_s", options.tf_timeout_s);
   reader.read("capture_service", options.capture_service);

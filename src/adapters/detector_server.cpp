@@ -47,9 +47,10 @@ DetectorServer::DetectorServer(const ros::NodeHandle& private_node)
       detector_(options_.detection),
       cloud_spinner_(1, &cloud_queue_),
       service_spinner_(kServiceThreads, &service_queue_) {
-  marker_image_ = service_node_.advertise<sensor_msgs::Image>(names::kMarkerImage, 1);
+  marker_image_ = service_node_.advertise<sensor_msgs::Image>(names::kMarkerImage, 1, true);
   points_ =
-      cloud_node_.subscribe(siblingName(private_node, names::kPoints), 1, &DetectorServer::onCloud, this);
+      cloud_node_.subscribe(siblingName(private_node, names::kPoints),
+                            static_cast<std::uint32_t>(options_.queue_size), &DetectorServer::onCloud, this);
   detect_service_ = service_node_.advertiseService(names::kDetect, &DetectorServer::onDetect, this);
   calibrate_service_ = service_node_.advertiseService(names::kCalibrate, &DetectorServer::onCalibrate, this);
   diagnostics_timer_ =
@@ -157,6 +158,7 @@ void DetectorServer::calibrateWith(const AcceptedCloud& cloud) {
   arrival.kind = Arrival::Kind::kCloud;
   arrival.cloud = cloud;
   first_calibration_->add(arrival);
+  marker_image_.publish(first_calibration_->markerImage(cloud));
   if (first_calibration_->wantsCloud()) return;
   // After a failure the next cloud begins anew.
   const std::unique_ptr<CalibrationRun> run = std::move(first_calibration_);

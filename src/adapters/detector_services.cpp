@@ -114,9 +114,7 @@ void DetectorServer::calibrate(const CalibrateRequest& request, CalibrateRespons
   while (run.wantsCloud()) {
     const Arrival arrival = awaitCloud(inbox_.sequence(), request.timeout, ros::Time());
     run.add(arrival);
-    if (marker_image_.getNumSubscribers() > 0 && arrival.kind == Arrival::Kind::kCloud) {
-      marker_image_.publish(run.markerImage(arrival.cloud));
-    }
+    if (arrival.kind == Arrival::Kind::kCloud) marker_image_.publish(run.markerImage(arrival.cloud));
   }
   run.finish(base_frame_);
   response = run.response();

@@ -24,16 +24,18 @@ constexpr std::uint32_t kNext = 0xff7f0e;
 constexpr double kLineM = 0.007;
 constexpr double kLetterM = 0.07;
 constexpr double kSmallestLetterM = 0.025;
-constexpr double kLetterShare = 0.3;  // of the width of a box
-constexpr double kInflateM = 0.006;   // drawn around the cloud's points, which would otherwise hide the faces
-constexpr double kSigmas = 2.0;       // of the solid drawn around a box: 95 %
-constexpr double kCarrierM = 0.10;    // height of the carrier in the picture
+constexpr double kLetterShare =
+    1.0 / 7.0;  // of the length of a box: the size in one line is as long as the box
+constexpr std::size_t kReasonLetters = 24;  // in a line of the reason of a refusal
+constexpr double kInflateM = 0.006;  // drawn around the cloud's points, which would otherwise hide the faces
+constexpr double kSigmas = 2.0;      // of the solid drawn around a box: 95 %
+constexpr double kCarrierM = 0.10;   // height of the carrier in the picture
 
 std::string millimeters(const geometry_msgs::Vector3& size) {
   const auto mm = [](double m) {
     return std::isfinite(m) ? std::to_string(std::lround(m * kMillimetersPerMeter)) : "?";
   };
-  return mm(size.x) + " x " + mm(size.y) + " x " + mm(size.z);
+  return mm(size.x) + "x" + mm(size.y) + "x" + mm(size.z);
 }
 
 std::string flagWords(std::uint8_t flags) {
@@ -45,6 +47,18 @@ std::string flagWords(std::uint8_t flags) {
   if ((flags & Box::INCOMPLETE) != 0) words += " incomplete";
   if ((flags & Box::HEIGHT_UNKNOWN) != 0) words += " height unknown";
   return words;
+}
+
+/// The words in lines of about kReasonLetters: rviz draws long lines across everything.
+std::string wrapped(const std::string& words) {
+  std::string lines;
+  std::size_t length = 0;
+  for (const char letter : words) {
+    const bool breaks = letter == ' ' && length >= kReasonLetters;
+    lines += breaks ? '\n' : letter;
+    length = breaks ? 0 : length + 1;
+  }
+  return lines;
 }
 
 /// Green: nothing to remark; yellow: flagged, the size holds; orange: the size is not that of the whole box.
@@ -128,7 +142,7 @@ void addSpaces(const PalletState& state, MarkerSet& set) {
 
 /// Height of the letters of a box's label: labels of small boxes side by side do not cover each other.
 double letterOf(const Box& box) {
-  return std::isfinite(box.size.y) ? std::clamp(kLetterShare * box.size.y, kSmallestLetterM, kLetterM)
+  return std::isfinite(box.size.x) ? std::clamp(kLetterShare * box.size.x, kSmallestLetterM, kLetterM)
                                    : kLetterM;
 }
 
@@ -141,11 +155,13 @@ void addBox(const Box& box, MarkerSet& set) {
   set.edges("uncertainty", pose, size + 2.0 * kSigmas * sideDeviation(box, pose), kLineM / 3,
             color(kWhite, 0.7f));
   const double letter = letterOf(box);
-  const Eigen::Vector3d above = toEigen(box.top_center) + Eigen::Vector3d(0, 0, letter);
+  // Blank lines keep the two apart from every side: rviz turns texts to the viewer about their middle.
+  const Eigen::Vector3d above = toEigen(box.top_center) + Eigen::Vector3d(0, 0, 2.0 * letter);
   set.text("labels", above, letter,
-           "#" + std::to_string(box.id) + "  " + millimeters(box.size) + flagWords(box.flags), color(kWhite));
-  set.text("uncertainty_labels", above - Eigen::Vector3d(0, 0, 0.9 * letter), 0.6 * letter,
-           deviationWords(box.size_stddev), color(kWhite, 0.8f));
+           "#" + std::to_string(box.id) + flagWords(box.flags) + "\n" + millimeters(box.size) + "\n ",
+           color(kWhite));
+  set.text("uncertainty_labels", above, letter, " \n \n" + deviationWords(box.size_stddev),
+           color(kWhite, 0.8f));
 }
 
 }  // namespace
@@ -157,8 +173,8 @@ visualization_msgs::MarkerArrayPtr boxMarkers(const BoxArray& boxes) {
     const Eigen::Vector3d center = toEigen(cluster.centroid);
     set.edges("rejected", at(center), toEigen(cluster.extent), kLineM, color(kRefused));
     const auto reason = static_cast<detection::RejectReason>(cluster.reason);
-    set.text("rejected_labels", center + Eigen::Vector3d(0, 0, cluster.extent.z / 2 + kLetterM),
-             kLetterM * 0.7, std::string(detection::toString(reason)) + ": " + cluster.text, color(kRefused));
+    set.text("rejected_labels", center + Eigen::Vector3d(0, 0, cluster.extent.z / 2 + kLetterM), kLetterM / 2,
+             std::string(detection::toString(reason)) + ":\n" + wrapped(cluster.text), color(kRefused));
   }
   return set.take();
 }

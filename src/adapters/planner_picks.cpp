@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include <mixed_palletizing/PickDecision.h>
 #include <mixed_palletizing/adapters/pallet_messages.hpp>
 #include <mixed_palletizing/adapters/planner_server.hpp>
 
@@ -57,6 +58,21 @@ std::optional<planning::PickOutcome> outcomeOf(std::uint8_t word) {
   }
 }
 
+PickDecision decisionOf(const ChooseNextPickRequest& request, const ChooseNextPickResponse& response) {
+  PickDecision decision;
+  decision.header = response.header;
+  decision.request_id = request.request_id;
+  decision.status = response.status;
+  decision.message = response.message;
+  decision.chosen_index = response.chosen_index;
+  decision.decision_id = response.decision_id;
+  decision.options = response.options;
+  decision.decision_ms = response.decision_ms;
+  decision.assumed = response.assumed;
+  decision.pondered = response.pondered;
+  return decision;
+}
+
 }  // namespace
 
 bool PlannerServer::onChoose(ChooseNextPickRequest& request, ChooseNextPickResponse& response) {
@@ -64,6 +80,7 @@ bool PlannerServer::onChoose(ChooseNextPickRequest& request, ChooseNextPickRespo
   response.chosen_index = -1;
   guarded("choose_next_pick", response, [&] { choose(request, response); });
   response.decision_ms = millisecondsSince(start);
+  if (!response.options.empty()) decision_publisher_.publish(decisionOf(request, response));
   return true;
 }
 
@@ -72,6 +89,8 @@ void PlannerServer::choose(const ChooseNextPickRequest& request, ChooseNextPickR
   const Clock::time_point start = Clock::now();
   const std::string fault = faultOf(request, options_.max_available);
   std::lock_guard<std::mutex> lock(session_mutex_);
+  response.header.frame_id = options_.pallet_frame;
+  response.header.stamp = ros::Time::now();
   const auto refuse = [&](std::uint8_t status, const std::string& message) {
     response.status = status;
     response.message = message;
@@ -107,8 +126,6 @@ void PlannerServer::answer(const planning::ChooseReply& reply, const IdentifiedB
   response.decision_id = reply.decision_id;
   response.assumed = reply.assumed;
   response.pondered = reply.pondered ? 1 : 0;
-  response.header.frame_id = options_.pallet_frame;
-  response.header.stamp = ros::Time::now();
   for (std::size_t i = 0; i < reply.decision.options.size(); ++i) {
     const planning::PickOption& option = reply.decision.options[i];
     PickOption& message = response.options.at(boxes.request_index.at(i));

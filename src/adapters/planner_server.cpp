@@ -4,6 +4,7 @@
 #include <ros/console.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <mixed_palletizing/PickDecision.h>
 #include <mixed_palletizing/adapters/markers.hpp>
 #include <mixed_palletizing/adapters/names.hpp>
 #include <mixed_palletizing/adapters/pallet_messages.hpp>
@@ -39,7 +40,8 @@ PlannerServer::PlannerServer(const ros::NodeHandle& private_node)
       journal_(openJournal(options_.journal, node_.getNamespace())),
       session_(openSession(options_.planner, journal_.get())),
       state_publisher_(node_.advertise<PalletState>(names::kPalletState, 1, true)),
-      markers_publisher_(node_.advertise<visualization_msgs::MarkerArray>(names::kPalletMarkers, 1, true)) {
+      markers_publisher_(node_.advertise<visualization_msgs::MarkerArray>(names::kPalletMarkers, 1, true)),
+      decision_publisher_(node_.advertise<PickDecision>(names::kLastDecision, 1, true)) {
   if (options_.ponder) session_.ponder();
   if (session_.open()) {
     ROS_INFO_STREAM("pallet '" << session_.palletId() << "' goes on at revision " << session_.revision()

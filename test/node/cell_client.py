@@ -29,6 +29,10 @@ class Latest:
             self._arrived.wait_for(lambda: found() is not None, timeout_s)
             return found()
 
+    def all(self):
+        with self._arrived:
+            return list(self._messages)
+
     def count(self):
         with self._arrived:
             return len(self._messages)

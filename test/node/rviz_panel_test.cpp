@@ -77,7 +77,7 @@ TEST_F(CellPanelTest, RunsAPallet) {
   EXPECT_FALSE(the<QPushButton>("placed").isEnabled());
 
   click("next");
-  EXPECT_EQ(the<QTableWidget>("options").rowCount(), 3);
+  EXPECT_TRUE(waitFor([&] { return the<QTableWidget>("options").rowCount() == 3; }));
   ASSERT_TRUE(waitFor([&] { return the<QPushButton>("placed").isEnabled(); })) << text("status");
   ASSERT_EQ(planner().has_pending, 1);
   click("placed");

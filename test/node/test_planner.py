@@ -7,12 +7,12 @@ import actionlib
 import rospy
 import rostest
 from geometry_msgs.msg import Point, Pose, Vector3
-from mixed_palletizing.msg import PickOption, PlanPalletAction, PlanPalletGoal, PlanPalletResult
+from mixed_palletizing.msg import PickDecision, PickOption, PlanPalletAction, PlanPalletGoal, PlanPalletResult
 from mixed_palletizing.srv import (ChooseNextPickRequest, ChooseNextPickResponse as Choice, ClosePalletResponse,
                                    GetPalletStateResponse, ReportPickRequest, ReportPickResponse as Report,
                                    StartPalletResponse as Start, UndoLastResponse)
 
-from cell_client import order_line
+from cell_client import Latest, order_line
 from planner_client import LINES, PlannerClient, detected
 
 class Planner(PlannerClient):
@@ -104,6 +104,16 @@ class Planner(PlannerClient):
         self.assertTrue(choice.options[1].reason)
         unknown = self.services['choose_next_pick'](ChooseNextPickRequest(boxes=[detected((123, 77, 50))]))
         self.assertEqual(unknown.status, Choice.UNKNOWN_BOX)
+
+    def test_who_watches_sees_the_last_decision(self):
+        self.start()
+        choice = self.choose('flat', 'big', request_id='seen')
+        self.services['close_pallet']()
+        self.assertEqual(self.choose('big').status, Choice.NO_PALLET)  # says nothing of boxes
+        decision = Latest('pick_planner/last_decision', PickDecision).wait_for(lambda m: True, 10.0)  # latched
+        self.assertIsNotNone(decision)
+        self.assertEqual((decision.request_id, decision.decision_id, decision.chosen_index, decision.options, decision.message),
+                         ('seen', choice.decision_id, choice.chosen_index, choice.options, choice.message))
 
     def test_ambiguous_box(self):
         self.start(lines=[('a', (300, 200, 100), 1), ('b', (306, 200, 100), 1)])

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Whole runs as a user starts them: wrong parameters, a bag replayed, the simulated cell to its end."""
 import glob
+import io
 import json
 import math
 import os
@@ -95,6 +96,59 @@ class Runs(unittest.TestCase):
             nearest = min(math.hypot(b.pose.pose.position.x - true['center'][0],
                                      b.pose.pose.position.y - true['center'][1]) for b in message.boxes)
             self.assertLess(nearest, 0.005)
+
+    def replayed_boxes(self, bag, rate):
+        """Every BoxArray of a replay by its stamp, as bytes without the time that the detection took."""
+        boxes = Latest('boxes', BoxArray)
+        launch = roslaunch('replay.launch', 'bag:=' + bag, 'rate:=%g' % rate)
+        try:
+            self.assertEqual(launch.wait(120), 0)
+        finally:
+            launch.terminate()
+            launch.wait(30)
+        found = {}
+        for message in boxes.all():
+            message.processing_ms = 0.0
+            message.header.seq = 0  # counted by the publisher
+            data = io.BytesIO()
+            message.serialize(data)
+            found[message.header.stamp.to_nsec()] = (data.getvalue(), message)
+        return found
+
+    def test_replays_are_the_same_at_any_rate(self):
+        share = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+        with open(os.path.join(share, 'config', 'scenes', 'three_boxes.yaml')) as file:
+            scene = yaml.safe_load(file)
+        scene['camera'].update(width_px=960, height_px=600)
+        with open(self.path('scene.yaml'), 'w') as file:
+            yaml.safe_dump(scene, file)
+        clouds = []
+        for seed in range(1, 6):
+            clouds.append(self.path('%d.pcd' % seed))
+            run = rosrun('simulate_scene', '--scene', self.path('scene.yaml'), '--out', clouds[-1], '--truth', self.path('t.json'),
+                         '--seed', str(seed))
+            self.assertEqual(run.returncode, 0, run.stdout)
+        bag = self.path('c.bag')
+        run = rosrun('pcd_to_bag', '--clouds', *clouds, '--out', bag)
+        self.assertEqual(run.returncode, 0, run.stdout)
+
+        slow, fast = self.replayed_boxes(bag, 1), self.replayed_boxes(bag, 50)
+        self.assertEqual(len(slow), 5)
+        self.assertEqual({stamp: data for stamp, (data, _) in slow.items()}, {stamp: data for stamp, (data, _) in fast.items()})
+
+        # The same as in process, without a clock.
+        run = rosrun('bag_regression', '--bag', bag, '--golden', self.path('golden.json'), '--update')
+        self.assertEqual(run.returncode, 0, run.stdout)
+        with open(self.path('golden.json')) as file:
+            golden = json.load(file)
+        self.assertEqual([cloud['stamp_ns'] for cloud in golden['clouds']], sorted(slow))
+        for cloud in golden['clouds']:
+            message = slow[cloud['stamp_ns']][1]
+            self.assertEqual(len(message.boxes), len(cloud['boxes']))
+            for box, expected in zip(message.boxes, cloud['boxes']):
+                for axis, value, side in zip('xyz', expected['center'], expected['size']):
+                    self.assertAlmostEqual(getattr(box.pose.pose.position, axis), value, delta=1e-9)
+                    self.assertAlmostEqual(getattr(box.size, axis), side, delta=1e-9)
 
     def test_replay_of_a_recorded_carton(self):
         data = os.environ.get('MIXED_PALLETIZING_DATA', '')

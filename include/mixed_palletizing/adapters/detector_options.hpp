@@ -32,6 +32,7 @@ struct DetectorOptions {
   std::string calibration_file;  ///< where a calibration is kept and found at the next start; empty: not kept
   int calibration_clouds = 3;    ///< clouds that one calibration averages
   bool calibrate_on_start = false;  ///< with the first clouds, when there is no calibration
+  int queue_size = 1;               ///< clouds that wait while one is looked at; older ones are lost
   double cloud_timeout_s = 10.0;    ///< how long services wait for a cloud
   double tf_timeout_s = 0.2;        ///< how long a cloud waits for its transform with base_source tf
   std::string capture_service;      ///< of the camera, called when a service needs a cloud; empty: never

@@ -26,6 +26,12 @@ constexpr char kClosePallet[] = "close_pallet";
 constexpr char kPlanPallet[] = "plan_pallet";
 constexpr char kPalletState[] = "pallet_state";
 constexpr char kPalletMarkers[] = "pallet_markers";
+constexpr char kLastDecision[] = "last_decision";
+
+// Converters.
+constexpr char kDetections[] = "detections";
+constexpr char kBoundingBoxes[] = "bounding_boxes";
+constexpr char kPlanningScene[] = "planning_scene";
 
 // Camera driver (Zivid's ROS 1 driver), in the camera's namespace.
 constexpr char kPointsXyzrgba[] = "points/xyzrgba";

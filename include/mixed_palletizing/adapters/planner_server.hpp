@@ -64,6 +64,7 @@ class PlannerServer {
 
   ros::Publisher state_publisher_;
   ros::Publisher markers_publisher_;
+  ros::Publisher decision_publisher_;
   std::vector<ros::ServiceServer> services_;
   std::unique_ptr<PlanPalletServer> plan_pallet_;
 };

@@ -19,6 +19,9 @@ CellLink::CellLink(const std::string& cell, Handlers handlers)
   state_ = node_.subscribe<PalletState>(
       std::string("pick_planner/") + adapters::names::kPalletState, kStatesKept,
       [this](const PalletState::ConstPtr& message) { handlers_.state(*message); });
+  decision_ = node_.subscribe<PickDecision>(
+      std::string("pick_planner/") + adapters::names::kLastDecision, 1,
+      [this](const PickDecision::ConstPtr& message) { handlers_.decision(*message); });
   report_ = node_.subscribe<std_msgs::String>(
       "pallet_report", 1,
       [this](const std_msgs::String::ConstPtr& message) { handlers_.report(message->data); });
@@ -49,6 +52,7 @@ void CellLink::leave() {
 
 void CellLink::close() {
   state_.shutdown();
+  decision_.shutdown();
   report_.shutdown();
   const std::lock_guard<std::mutex> lock(mutex_);
   closed_ = true;

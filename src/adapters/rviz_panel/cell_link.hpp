@@ -12,6 +12,7 @@
 #include <std_msgs/String.h>
 
 #include <mixed_palletizing/PalletState.h>
+#include <mixed_palletizing/PickDecision.h>
 
 namespace mixed_palletizing::rviz_panel {
 
@@ -26,6 +27,7 @@ class CellLink {
  public:
   struct Handlers {
     std::function<void(const PalletState&)> state;
+    std::function<void(const PickDecision&)> decision;
     std::function<void(const std::string&)> report;  ///< path of the report of a pallet
   };
 
@@ -61,6 +63,7 @@ class CellLink {
   ros::NodeHandle node_;
   Handlers handlers_;
   ros::Subscriber state_;
+  ros::Subscriber decision_;
   ros::Subscriber report_;
   ros::AsyncSpinner spinner_;
   std::mutex mutex_;  // guards running_ and closed_

@@ -9,6 +9,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include <mixed_palletizing/Calibrate.h>
+#include <mixed_palletizing/ChooseNextPick.h>
 #include <mixed_palletizing/ClosePallet.h>
 #include <mixed_palletizing/DetectBoxes.h>
 #include <mixed_palletizing/ReportPick.h>
@@ -72,6 +73,9 @@ void CellPanel::connectButtons() {
 void CellPanel::connectCell() {
   CellLink::Handlers handlers;
   handlers.state = [this](const PalletState& state) { later([this, state] { onState(state); }); };
+  handlers.decision = [this](const PickDecision& decision) {
+    later([this, decision] { widgets_.show(decision); });
+  };
   handlers.report = [this](const std::string& path) {
     later([this, path] {
       const QString file = QString::fromStdString(path);
@@ -80,6 +84,7 @@ void CellPanel::connectCell() {
     });
   };
   onState(PalletState());
+  widgets_.show(PickDecision());
   try {
     if (link_) link_->close();
     link_ = std::make_shared<CellLink>(widgets_.cell->text().toStdString(), handlers);
@@ -147,7 +152,10 @@ void CellPanel::next() {
     ChooseNextPickRequest request;
     request.boxes = seen.boxes.boxes;
     const auto answer = link.call<ChooseNextPick>("pick_planner/choose_next_pick", request);
-    return [this, answer] { onDecision(answer); };
+    return [this, answer] {
+      decision_id_ = answer.decision_id;
+      say(chooseLine(answer));
+    };
   });
 }
 
@@ -197,12 +205,6 @@ void CellPanel::onState(const PalletState& state) {
   revision_ = state.revision;
   widgets_.show(state);
   refresh();
-}
-
-void CellPanel::onDecision(const ChooseNextPickResponse& answer) {
-  decision_id_ = answer.decision_id;
-  widgets_.show(answer);
-  say(chooseLine(answer));
 }
 
 void CellPanel::load(const rviz::Config& config) {

@@ -8,7 +8,6 @@
 
 #include <rviz/panel.h>
 
-#include <mixed_palletizing/ChooseNextPick.h>
 #include <mixed_palletizing/PalletState.h>
 
 #include "cell_link.hpp"
@@ -48,7 +47,6 @@ class CellPanel : public rviz::Panel {
   void browse();
 
   void onState(const PalletState& state);
-  void onDecision(const ChooseNextPickResponse& answer);
 
   PanelWidgets widgets_;
   bool busy_ = false;

@@ -73,10 +73,10 @@ std::string closeLine(const ClosePalletResponse& answer) {
          " never came, utilization " + fixed(100.0 * summary.utilization, 1) + " %";
 }
 
-std::vector<std::array<std::string, kOptionTitles.size()>> optionRows(const ChooseNextPickResponse& answer) {
+std::vector<std::array<std::string, kOptionTitles.size()>> optionRows(const PickDecision& decision) {
   std::vector<std::array<std::string, kOptionTitles.size()>> rows;
-  for (std::size_t i = 0; i < answer.options.size(); ++i) {
-    const PickOption& option = answer.options[i];
+  for (std::size_t i = 0; i < decision.options.size(); ++i) {
+    const PickOption& option = decision.options[i];
     const geometry_msgs::Point& corner = option.placement.origin;
     const bool played = option.playouts > 0;
     rows.push_back({std::to_string(i + 1), option.type_id.empty() ? "?" : option.type_id,

@@ -11,6 +11,7 @@
 #include <mixed_palletizing/ClosePallet.h>
 #include <mixed_palletizing/DetectBoxes.h>
 #include <mixed_palletizing/PalletState.h>
+#include <mixed_palletizing/PickDecision.h>
 
 namespace mixed_palletizing::rviz_panel {
 
@@ -41,6 +42,6 @@ std::string closeLine(const ClosePalletResponse& answer);
 constexpr std::array<const char*, 6> kOptionTitles{"box", "type", "place [mm]", "cost", "futures", "perfect"};
 
 /// One row below kOptionTitles for every option; what refuses a box stands in the place's column.
-std::vector<std::array<std::string, kOptionTitles.size()>> optionRows(const ChooseNextPickResponse& answer);
+std::vector<std::array<std::string, kOptionTitles.size()>> optionRows(const PickDecision& decision);
 
 }  // namespace mixed_palletizing::rviz_panel

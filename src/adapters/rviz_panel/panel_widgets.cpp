@@ -16,6 +16,7 @@ namespace {
 constexpr int kMostOrders = 1000000;
 constexpr int kPerMille = 1000;
 constexpr int kTableHeightPx = 110;
+constexpr int kTableWidthPx = 360;  // all columns
 
 QPushButton* button(const char* name, const char* text, const char* hint) {
   auto* made = new QPushButton(text);
@@ -55,7 +56,7 @@ QTableWidget* table() {
   made->verticalHeader()->hide();
   made->setEditTriggers(QAbstractItemView::NoEditTriggers);
   made->setSelectionMode(QAbstractItemView::NoSelection);
-  made->setMinimumHeight(kTableHeightPx);
+  made->setMinimumSize(kTableWidthPx, kTableHeightPx);
   return made;
 }
 
@@ -127,15 +128,15 @@ void PanelWidgets::show(const PalletState& state) {
   utilization->setValue(static_cast<int>(std::lround(kPerMille * state.utilization)));
 }
 
-void PanelWidgets::show(const ChooseNextPickResponse& answer) {
-  const auto rows = optionRows(answer);
+void PanelWidgets::show(const PickDecision& decision) {
+  const auto rows = optionRows(decision);
   options->setRowCount(static_cast<int>(rows.size()));
   for (int i = 0; i < options->rowCount(); ++i) {
     const auto& texts = rows[static_cast<std::size_t>(i)];
     for (std::size_t k = 0; k < texts.size(); ++k) {
       auto* item = new QTableWidgetItem(QString::fromStdString(texts[k]));
       QFont font = item->font();
-      font.setBold(i == answer.chosen_index);
+      font.setBold(i == decision.chosen_index);
       item->setFont(font);
       options->setItem(i, static_cast<int>(k), item);
     }

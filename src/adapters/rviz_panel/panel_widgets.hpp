@@ -10,8 +10,8 @@
 #include <QWidget>
 #include <vector>
 
-#include <mixed_palletizing/ChooseNextPick.h>
 #include <mixed_palletizing/PalletState.h>
+#include <mixed_palletizing/PickDecision.h>
 
 namespace mixed_palletizing::rviz_panel {
 
@@ -42,7 +42,7 @@ struct PanelWidgets {
   QTableWidget* options;
 
   void show(const PalletState& state);
-  void show(const ChooseNextPickResponse& answer);
+  void show(const PickDecision& decision);
 
   /// Enables what can be done now.
   void enable(bool idle, bool pallet_open, bool decision_pending);

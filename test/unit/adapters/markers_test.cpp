@@ -126,7 +126,7 @@ TEST(BoxMarkers, uncertaintyIsAroundTheBoxAlongItsOwnAxes) {
   const auto all = boxMarkers(array);
   const Eigen::Vector3d beyond = reach(firstOf(*all, "uncertainty")) - reach(firstOf(*all, "outlines"));
   EXPECT_LT((beyond - Eigen::Vector3d(0.0, 0.02, 0.04)).norm(), 1e-9) << beyond.transpose();
-  EXPECT_EQ(firstOf(*all, "uncertainty_labels").text, "+-0.0 0.0 80.0");
+  EXPECT_EQ(firstOf(*all, "uncertainty_labels").text, " \n \n+-0.0 0.0 80.0");
 }
 
 PalletState pallet() {
