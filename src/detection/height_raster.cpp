@@ -49,6 +49,7 @@ void HeightRaster::findBounds(const BaseCloud& cloud, const WorkRegion& region, 
 std::size_t HeightRaster::fill(const BaseCloud& cloud, const WorkRegion& region, const RasterLimits& limits) {
   findBounds(cloud, region, limits);
   cell_m_ = limits.cell_m;
+  low_limit_m_ = limits.low_m;
   rows_ = cols_ = 0;
   if ((high_ >= low_).all()) {
     const Eigen::Array2d extent = (high_ - low_).cast<double>() / cell_m_;

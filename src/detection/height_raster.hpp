@@ -31,6 +31,8 @@ class HeightRaster {
   int rows() const { return rows_; }
   int cols() const { return cols_; }
   double cell() const { return cell_m_; }
+  /// Height that the stack begins at [m].
+  double low() const { return low_limit_m_; }
   std::size_t size() const { return heights_.size(); }
   std::size_t index(int row, int col) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(cols_) + static_cast<std::size_t>(col);
@@ -57,6 +59,7 @@ class HeightRaster {
   int rows_ = 0;
   int cols_ = 0;
   double cell_m_ = 0.002;
+  double low_limit_m_ = 0.0;
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
   std::size_t valid_ = 0;
   Eigen::Array2f low_ = Eigen::Array2f::Zero();

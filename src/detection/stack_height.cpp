@@ -55,6 +55,7 @@ std::optional<SideHeight> heightOfSides(const HeightRaster& raster, const TopSeg
                                                -rectangle.axisX()};
   std::optional<SideHeight> best;
   double largest = 0.0;
+  std::vector<double> found;  // drop of each side that shows one
   for (std::size_t i = 0; i < 4; ++i) {
     const Eigen::Vector2d middle = 0.5 * (corners[i] + corners[(i + 1) % 4]);
     const Eigen::Vector3d ray(camera.x() - middle.x(), camera.y() - middle.y(), camera.z() - top_m);
@@ -69,6 +70,7 @@ std::optional<SideHeight> heightOfSides(const HeightRaster& raster, const TopSeg
         std::count_if(drops.begin(), drops.end(), [&](double d) { return std::abs(d - drop) < kAgree_m; });
     if (static_cast<double>(agree) < kMostSamples * samples) continue;
     largest = std::max(largest, drop);
+    found.push_back(drop);
     if (best && best->height_m <= drop) continue;
     const double spread = drops[drops.size() * 5 / 6] - drops[drops.size() / 6];
     best = SideHeight{drop, std::max(0.5 * spread, 0.25 * step_m)};
@@ -77,6 +79,12 @@ std::optional<SideHeight> heightOfSides(const HeightRaster& raster, const TopSeg
   if (best && largest - best->height_m > kAgree_m) {
     best->stddev_m = std::hypot(best->stddev_m, 0.5 * (largest - best->height_m));
   }
+  if (!best) return best;
+  // The foot of a single side may be the top of a lower neighbour: the box may reach down to the ground.
+  const auto agree = std::count_if(found.begin(), found.end(),
+                                   [&](double drop) { return std::abs(drop - best->height_m) < kAgree_m; });
+  const double below = top_m - best->height_m - raster.low();
+  if (agree < 2 && below > kAgree_m) best->stddev_m = std::hypot(best->stddev_m, 0.5 * below);
   return best;
 }
 

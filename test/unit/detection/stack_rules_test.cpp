@@ -90,6 +90,23 @@ TEST(StackRules, acrossANarrowGapSizesAreLessSure) {
   }
 }
 
+TEST(StackRules, besideALowerNeighbourAHeightIsNotKnown) {
+  // The only foot in view is the neighbour's top; the box reaches down to the floor.
+  for (const double rise : {0.03, 0.06, 0.09}) {
+    simulation::Scene scene = emptyScene();
+    scene.boxes = {boxAt(0.0, 0.1005, 0.0, {0.26, 0.20, 0.15 + rise}),
+                   boxAt(0.0, -0.1005, 0.0, {0.26, 0.20, 0.15})};
+    const Detections found = detectFromAbove(scene, 306);
+    const auto tall = std::find_if(found.boxes.begin(), found.boxes.end(), [&](const DetectedBox& box) {
+      return std::abs(box.top_center.z() - 0.15 - rise) < 0.01;
+    });
+    ASSERT_NE(tall, found.boxes.end());
+    const double error = std::abs(tall->size.z() - (0.15 + rise));
+    EXPECT_TRUE((tall->flags & kHeightUnknown) != 0 || error < 0.01) << rise;
+    EXPECT_LT(error, 3.0 * tall->size_stddev.z()) << rise;
+  }
+}
+
 TEST(StackRules, topsOfFewPointsAreNoise) {
   simulation::Scene scene = emptyScene();
   scene.boxes = {boxAt(-0.2, 0.0, 0.0, {0.25, 0.15, 0.1}), boxAt(0.2, 0.0, 0.0, {0.10, 0.08, 0.1}),
