@@ -45,7 +45,9 @@ class Labeller {
            std::vector<FoundBox>& boxes, std::vector<std::uint16_t>& labels)
       : cloud_(cloud), cells_(cells), solids_(solidsOf(limits, boxes)), boxes_(boxes), labels_(labels) {}
 
-  void labelCell(int row, int col) {
+  /// Returns whether most of the cell's points belong to boxes.
+
+  bool labelCell(int row, int col) {
     const Cell& cell = cells_.at(row, col);
     const int k = cells_.cellPx();
     count_ = 0;
@@ -55,13 +57,19 @@ class Labeller {
       if (outside > std::max(kReach, kReachSpreads * cell.spread)) continue;
       const bool whole = cell.above == k * k && outside < -kReach && cell.height < solids_[i].top - kReach &&
                          cell.height > solids_[i].low + kReach && cell.spread < kReach / kReachSpreads;
-      if (whole) return fill(row, col, i);
+      if (whole) {
+        fill(row, col, i);
+        return true;
+      }
       candidates_[count_++] = i;
     }
-    if (count_ == 0) return;
+    if (count_ == 0) return false;
+    int labelled = 0;
     for (int r = row * k; r < std::min((row + 1) * k, cloud_.height()); ++r) {
-      for (int c = col * k; c < std::min((col + 1) * k, cloud_.width()); ++c) labelPoint(r, c);
+      for (int c = col * k; c < std::min((col + 1) * k, cloud_.width()); ++c)
+        labelled += labelPoint(r, c) ? 1 : 0;
     }
+    return 2 * labelled > cell.above;
   }
 
  private:
@@ -86,7 +94,7 @@ class Labeller {
   }
 
   /// Boxes that touch share their margins: a point belongs to the box that it lies deepest in.
-  void labelPoint(int row, int col) {
+  bool labelPoint(int row, int col) {
     const Eigen::Vector3f p = cloud_.point(row, col);
     float deepest = INFINITY;
     std::size_t best = 0;
@@ -98,9 +106,10 @@ class Labeller {
       deepest = outside;
       best = candidates_[n];
     }
-    if (!(deepest < INFINITY)) return;
+    if (!(deepest < INFINITY)) return false;
     labels_[place(row, col)] = labelOf(best);
     ++boxes_[best].box.point_count;
+    return true;
   }
 
   const BaseCloud& cloud_;
@@ -115,9 +124,11 @@ class Labeller {
 }  // namespace
 
 void labelBoxes(const BaseCloud& cloud, const CellGrid& cells, const ClusterLimits& limits,
-                std::vector<FoundBox>& boxes, std::vector<std::uint16_t>& labels) {
+                std::vector<FoundBox>& boxes, std::vector<std::uint16_t>& labels, std::vector<char>& taken) {
   Labeller labeller(cloud, cells, limits, boxes, labels);
-  cells.forEachFilled([&](std::size_t, int row, int col) { labeller.labelCell(row, col); });
+  taken.assign(cells.size(), 0);
+  cells.forEachFilled(
+      [&](std::size_t i, int row, int col) { taken[i] = labeller.labelCell(row, col) ? 1 : 0; });
 }
 
 }  // namespace mixed_palletizing::detection

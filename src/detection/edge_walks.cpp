@@ -62,6 +62,14 @@ class PieceWalker {
     return pieces_.pieceOf(along_row ? cells_.index(line, i) : cells_.index(i, line)) == piece_;
   }
 
+  bool onOtherPiece(bool along_row, int line_px, int px) const {
+    const int k = cells_.cellPx();
+    const std::size_t cell =
+        along_row ? cells_.index(line_px / k, px / k) : cells_.index(px / k, line_px / k);
+    const int piece = pieces_.pieceOf(cell);
+    return piece >= 0 && piece != piece_;
+  }
+
   /// Walks along every pixel line of a cell. `other`: the next cell of the piece that way, -1 for none.
   void walkFrom(bool along_row, int line, int cell, int step, int other) {
     const int k = cells_.cellPx();
@@ -78,6 +86,8 @@ class PieceWalker {
         if (last < (walks == 0 ? 0 : kLeastStrip)) break;
         const int reached = (first + step * last - (other * k + k / 2)) * step;
         if (other >= 0 && reached >= -k / 2) break;  // walked through to the next cells of the piece
+        if (walks > 0 && onOtherPiece(along_row, at, first + step * last))
+          break;  // which is walked by itself
         samples_.push_back(walk.sample(at % kFaceEvery == 0));
         // Behind a wide gap a strip of the same level may be too narrow for cells of its own.
         const EdgeSample& s = samples_.back();

@@ -26,6 +26,7 @@ enum class Beyond : std::uint8_t {
   kOccluder,  ///< something nearer to the camera: the top goes on behind it
   kHole,      ///< the same level again after a gap
   kBorder,    ///< the border of the image, which is near
+  kInk,       ///< print that is too dark to be measured: the top may go on, or its side may be near
   kNoData,    ///< nothing for a long way
 };
 

@@ -7,6 +7,8 @@ namespace {
 
 // Of a cell's points: with fewer above the floor it is a stray point or a mixed pixel, which joins nothing.
 constexpr int kLeastAbove = 2;
+constexpr double kFilled =
+    0.7;  // of a cell's pixels, in what is left beside a box: edges have mixed pixels around them
 constexpr int kCoded = -2;  // less the number of a blob: a label that is no link any more
 
 }  // namespace
@@ -21,18 +23,28 @@ int FloorBlobs::root(int cell) {
 }
 
 void FloorBlobs::find(const CellGrid& cells) {
+  join(cells, [&](std::size_t i) { return cells[i].above >= kLeastAbove; });
+}
+
+void FloorBlobs::findRest(const CellGrid& cells, const std::vector<char>& taken) {
+  const double least = kFilled * cells.cellPx() * cells.cellPx();
+  join(cells, [&](std::size_t i) { return taken[i] == 0 && cells[i].above >= least; });
+}
+
+template <typename Belongs>
+void FloorBlobs::join(const CellGrid& cells, Belongs belongs) {
   labels_.assign(cells.size(), -1);
-  const auto join = [&](std::size_t a, std::size_t b) {
+  const auto meet = [&](std::size_t a, std::size_t b) {
     if (labels_[b] < 0) return;
     const int one = root(static_cast<int>(a));
     const int two = root(static_cast<int>(b));
     labels_[static_cast<std::size_t>(std::max(one, two))] = std::min(one, two);
   };
   cells.forEachFilled([&](std::size_t i, int row, int col) {
-    if (cells[i].above < kLeastAbove) return;
+    if (!belongs(i)) return;
     labels_[i] = static_cast<int>(i);
-    if (col > 0) join(i, i - 1);
-    if (row > 0) join(i, i - static_cast<std::size_t>(cells.cols()));
+    if (col > 0) meet(i, i - 1);
+    if (row > 0) meet(i, i - static_cast<std::size_t>(cells.cols()));
   });
   // Links lead to cells before their own, so that every cell finds the code of its blob at its link's end.
   const auto codeOf = [](std::size_t number) { return kCoded - static_cast<int>(number); };

@@ -23,11 +23,16 @@ class FloorBlobs {
   /// Keeps its memory between calls.
   void find(const CellGrid& cells);
 
+  /// The same of the cells that are not `taken` and have points above the floor nearly everywhere.
+  void findRest(const CellGrid& cells, const std::vector<char>& taken);
+
   const std::vector<Blob>& blobs() const { return blobs_; }
   /// Number of the blob of a cell; -1 without points above the floor.
   int blobOf(std::size_t cell) const { return labels_[cell]; }
 
  private:
+  template <typename Belongs>
+  void join(const CellGrid& cells, Belongs belongs);
   int root(int cell);
 
   std::vector<int> labels_;

@@ -30,6 +30,7 @@ OutlineShares outlineOf(const TopGroup& group, const geometry::Rectangle& r, dou
     const double length = 0.5 * static_cast<double>(s.pixel_m);  // rows and columns both walk the outline
     if (s.beyond == Beyond::kOccluder) outline.occluded += length;
     if (s.beyond == Beyond::kBorder) outline.border += length;
+    if (s.beyond == Beyond::kInk) outline.ink += length;
     if (!s.isEdge()) continue;
     const bool on_side = (beyond.abs() < tolerance).any();
     (on_side ? outline.on_sides : outline.off_sides) += length;
@@ -92,7 +93,7 @@ std::optional<Refusal> judge(const LevelContext& context, const geometry::Rectan
     return Refusal{RejectReason::kTooFewPoints,
                    size + text(", not all of its sides are seen, and %zu points", points)};
   }
-  const bool hidden = outline.occluded + outline.border > kSeenShare * outline.all();
+  const bool hidden = outline.occluded + outline.border + outline.ink > kSeenShare * outline.all();
   if (fit.foundSides() < 2 || (fit.foundSides() < 3 && !hidden)) {
     return Refusal{RejectReason::kNotRectangular,
                    size + text(", only %d sides have a straight outline", fit.foundSides())};
@@ -108,12 +109,13 @@ Refusal tooSteep(double tilt) {
 }
 
 std::variant<FittedTop, Refusal> fitTop(const LevelContext& context, const TopGroup& group,
-                                        const TopAxes& axes, const TopRaster& raster, const CoverBox& cover) {
+                                        const TopAxes& axes, const TopRaster& raster, const CoverBox& cover,
+                                        TopBuffers& buffers) {
   EdgeRectangle start;
   start.rectangle = rectangleOf(axes, cover.box);
   FittedTop top;
   top.group = &group;
-  top.fit = fitRectangle(group.samples, start, scaleOf(context, group));
+  top.fit = fitRectangle(group.samples, start, scaleOf(context, group), buffers.fit);
   knowContacts(cover, group.pixel_m, top.fit);
   const LevelPiece& piece = context.pieces.pieces()[static_cast<std::size_t>(group.largest)];
   const geometry::Rectangle& r = top.fit.rectangle;
@@ -121,10 +123,11 @@ std::variant<FittedTop, Refusal> fitTop(const LevelContext& context, const TopGr
   top.outline = outlineOf(group, top.fit.ends, tolerance);
   if (const auto refusal = judge(context, r.lengthFirst(), top.outline, top.fit, piece.points))
     return *refusal;
-  top.surface = measureCells(context, group, top.fit, piece.heightAt(r.center));
+  top.surface = measureCells(context, group, top.fit, piece.heightAt(r.center), buffers.cells);
   if (top.surface.slope.norm() > kSteepestTop) return tooSteep(top.surface.slope.norm());
   const TopRaster::Count seen = raster.count(cover.box);
   top.visibility = std::min(1.0, static_cast<double>(seen.top) / std::max(1, seen.all - seen.free));
+  top.seen_m2 = seen.top * raster.pitch() * raster.pitch();
   return top;
 }
 

@@ -15,6 +15,12 @@
 
 namespace mixed_palletizing::detection {
 
+/// A cell of a top in the rectangle's axes.
+struct SurfaceCell {
+  double x, y, height, weight;
+  double off;  ///< above the plane of the surface
+};
+
 /// What the boxes of one cloud share.
 struct LevelContext {
   const BaseCloud& cloud;
@@ -22,6 +28,12 @@ struct LevelContext {
   const LevelPieces& pieces;
   const SensorNoise& noise;
   const DetectionOptions& options;
+};
+
+/// Memory of fitTop(), kept between calls.
+struct TopBuffers {
+  FitBuffers fit;
+  std::vector<SurfaceCell> cells;
 };
 
 /// Rise over run of a surface that is still a top.
@@ -36,7 +48,8 @@ struct OutlineShares {
   double off_sides = 0.0;
   double occluded = 0.0;
   double border = 0.0;
-  double all() const { return on_sides + off_sides + occluded + border; }
+  double ink = 0.0;
+  double all() const { return on_sides + off_sides + occluded + border + ink; }
 };
 
 /// A rectangle that passes for a top.
@@ -46,17 +59,19 @@ struct FittedTop {
   TopSurface surface;
   OutlineShares outline;
   double visibility = 1.0;
+  double seen_m2 = 0.0;  ///< of its surface
 };
 
 /// Fits, measures and judges one rectangle of a group's cover. The group must outlive the result.
 std::variant<FittedTop, Refusal> fitTop(const LevelContext& context, const TopGroup& group,
-                                        const TopAxes& axes, const TopRaster& raster, const CoverBox& cover);
+                                        const TopAxes& axes, const TopRaster& raster, const CoverBox& cover,
+                                        TopBuffers& buffers);
 
 /// The box below a top, standing on the floor.
 FoundBox describeTop(const LevelContext& context, const FittedTop& top);
 
 /// Surface of the cells well inside a rectangle and its rounded edges, around a level. Dents count.
 TopSurface measureCells(const LevelContext& context, const TopGroup& group, const RectangleFit& fit,
-                        double level_m);
+                        double level_m, std::vector<SurfaceCell>& cells);
 
 }  // namespace mixed_palletizing::detection

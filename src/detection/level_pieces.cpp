@@ -49,17 +49,6 @@ class LevelTest {
   double ripple_;
 };
 
-/// Sums of a plane h = c0 + c1 x + c2 y over weighted cells.
-struct PlaneSums {
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d products = Eigen::Vector3d::Zero();
-  void add(double weight, double x, double y, double h) {
-    const Eigen::Vector3d v(1.0, x, y);
-    squares += weight * v * v.transpose();
-    products += weight * h * v;
-  }
-};
-
 }  // namespace
 
 int LevelPieces::root(int cell) {
@@ -90,16 +79,19 @@ void LevelPieces::join(const CellGrid& cells, const SensorNoise& noise) {
 }
 
 void LevelPieces::measure(const CellGrid& cells) {
-  std::vector<PlaneSums> sums(pieces_.size());
+  std::vector<PlaneSums>& sums = sums_;
+  sums.assign(pieces_.size(), PlaneSums());
   const auto forEach = [&](auto visit) {
     cells.forEachFilled([&](std::size_t i, int row, int col) {
-      if (labels_[i] >= 0) visit(row, col, static_cast<std::size_t>(labels_[i]), cells[i]);
+      if (labels_[i] >= 0) visit(i, row, col, static_cast<std::size_t>(labels_[i]));
     });
   };
-  forEach([&](int row, int col, std::size_t label, const Cell& cell) {
+  forEach([&](std::size_t i, int row, int col, std::size_t label) {
+    const Cell& cell = cells[i];
     LevelPiece& piece = pieces_[label];
     const Eigen::Vector2d place(cell.x, cell.y);
     if (piece.points == 0) {
+      piece.cell = i;
       piece.row_min = row;
       piece.col_min = piece.col_max = col;
       piece.low = piece.high = piece.center = place;  // the centre: kept as the origin of the sums
@@ -124,7 +116,8 @@ void LevelPieces::measure(const CellGrid& cells) {
     piece.height_m = sums[i].products(0) / n;
     if (plane.allFinite()) piece.slope = plane.tail<2>();
   }
-  forEach([&](int, int, std::size_t label, const Cell& cell) {
+  forEach([&](std::size_t i, int, int, std::size_t label) {
+    const Cell& cell = cells[i];
     LevelPiece& piece = pieces_[label];
     const double off = cell.height - piece.heightAt({cell.x, cell.y});
     piece.rms_m += cell.above * off * off;
@@ -138,7 +131,8 @@ bool LevelPieces::trim(const CellGrid& cells, const SensorNoise& noise, std::siz
   starts_.assign(1, 0);
   for (std::size_t p = first; p < pieces_.size(); ++p) starts_.push_back(starts_.back() + sizes_[p]);
   heights_.resize(starts_.back());
-  std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
+  std::vector<std::size_t>& next = next_;
+  next.assign(starts_.begin(), starts_.end() - 1);
   cells.forEachFilled([&](std::size_t i, int, int) {
     if (labels_[i] < static_cast<int>(first)) return;
     heights_[next[static_cast<std::size_t>(labels_[i]) - first]++] = cells[i].height;

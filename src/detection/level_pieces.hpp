@@ -20,6 +20,7 @@ struct LevelPiece {
   Eigen::Vector2d slope = Eigen::Vector2d::Zero();
   double rms_m = 0.0;             ///< of the cells from the plane
   double depth_m = 0.0;           ///< mean distance along the optical axis
+  std::size_t cell = 0;           ///< the first of its cells
   int row_min = 0, row_max = -1;  ///< cells
   int col_min = 0, col_max = -1;
   Eigen::Vector2d low = Eigen::Vector2d::Zero();  ///< bounds of the cells' places
@@ -48,6 +49,16 @@ class LevelPieces {
     int core = 0;
     int piece = -1;
   };
+  /// Sums of a plane h = c0 + c1 x + c2 y over weighted cells.
+  struct PlaneSums {
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d products = Eigen::Vector3d::Zero();
+    void add(double weight, double x, double y, double h) {
+      const Eigen::Vector3d v(1.0, x, y);
+      squares += weight * v * v.transpose();
+      products += weight * h * v;
+    }
+  };
   int root(int cell);
   void join(const CellGrid& cells, const SensorNoise& noise);
   void collect(const CellGrid& cells, const SensorNoise& noise, std::size_t min_points);
@@ -60,9 +71,11 @@ class LevelPieces {
   std::vector<Count> counts_;
   std::vector<std::size_t> sizes_;   // cells of each piece as it was collected
   std::vector<std::size_t> starts_;  // of each piece's heights
+  std::vector<std::size_t> next_;    // of each piece: where its next height goes
   std::vector<float> heights_;
   std::vector<std::pair<float, float>>
-      kept_;  // middle height of each piece, and how far its cells may lie from it
+      kept_;                     // middle height of each piece, and how far its cells may lie from it
+  std::vector<PlaneSums> sums_;  // of each piece
   std::vector<LevelPiece> pieces_;
 };
 

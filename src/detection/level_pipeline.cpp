@@ -11,6 +11,7 @@
 //   hidden_sides      how far sides that nothing shows may lie
 //   level_box, top_cells, uncertainty   what the rectangle is worth
 //   box_labels        the pixels of each box
+//   refused_clusters  what everything else is
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -23,6 +24,7 @@
 #include "level_box.hpp"
 #include "level_stages.hpp"
 #include "refusal_text.hpp"
+#include "refused_clusters.hpp"
 #include "seam_search.hpp"
 #include "stage_clock.hpp"
 #include "top_groups.hpp"
@@ -30,8 +32,7 @@
 namespace mixed_palletizing::detection {
 namespace {
 
-// Blobs smaller than this share of the smallest cluster are stray points, not even worth a reason; nor are pieces of
-// level surface that small.
+// Pieces of level surface smaller than this share of the smallest cluster are stray points.
 constexpr int kStrayDivisor = 4;
 constexpr double kCellLength = 0.002;  // [m] that a cell should measure
 constexpr double kCellNoise = 18.0;    // square of a cell's side in pixels, over the noise in pixels
@@ -80,17 +81,18 @@ class LevelPipeline : public DetectionPipeline {
     clock.done("outlines");
     tops_.clear();
     found_.clear();
-    refused_.assign(blobs_.blobs().size(), {});
+    refused_.clear();
     const LevelContext context{cloud, cells_, pieces_, noise, options_};
     for (const TopGroup& group : groups) explain(context, group, clock);
     dropParts();
     completeHidden(context, tops_);
     for (const FittedTop& top : tops_) found_.push_back(describeTop(context, top));
-    labelBoxes(cloud, cells_, limits, found_, result.labels);
+    labelBoxes(cloud, cells_, limits, found_, result.labels, taken_);
     for (const FoundBox& box : found_) result.boxes.push_back(box.box);
     clock.done("labels");
     flagTouching(found_, options_.box.touching_distance_m + 2.0 * noise.floor_stddev_m, result.boxes);
-    collectRefused(limits, result);
+    refused_.collect(cells_, pieces_, blobs_, taken_, static_cast<std::size_t>(options_.cluster.min_points),
+                     result.rejected);
     if (keep_stages) result.stage_pixels = stagePixels(cloud, limits, {cells_, blobs_, pieces_, groups});
     result.stage_times = clock.times();
     return result;
@@ -99,35 +101,35 @@ class LevelPipeline : public DetectionPipeline {
  private:
   void explain(const LevelContext& context, const TopGroup& group, StageClock& clock) {
     const LevelPiece& piece = pieces_.pieces()[static_cast<std::size_t>(group.largest)];
-    const int blob = blobOf(piece, group.largest);
+    const int blob = blobs_.blobOf(piece.cell);
     if (blob < 0 || blobs_.blobs()[static_cast<std::size_t>(blob)].points <
                         static_cast<std::size_t>(options_.cluster.min_points)) {
       return;
     }
     if (piece.slope.norm() > kSteepestTop) {
-      refuse(group, tooSteep(piece.slope.norm()));
+      refused_.add(group.largest, tooSteep(piece.slope.norm()));
       return;
     }
     TopAxes axes(piece.center, group.yaw_rad);
-    const OutlineLines lines =
-        findLines(group.samples, group.pixel_m, std::max(kMinLine, 6.0 * group.pixel_m), axes);
+    findLines(group.samples, group.pixel_m, std::max(kMinLine, 6.0 * group.pixel_m), axes, line_buffers_,
+              lines_);
     clock.done("lines");
     raster_.fill(context.cloud, cells_, pieces_, group, axes);
     CoverOptions cover;
     cover.min_side_m = kSideShare * options_.box.min_side_m;
     cover.max_side_m = kLargestShare * options_.box.max_side_m;
     const std::vector<Seam>& seams =
-        seam_search_.find(context.cloud, pieces_, group, axes, lines, raster_.bounds());
+        seam_search_.find(context.cloud, pieces_, group, axes, lines_, raster_.bounds());
     clock.done("seams");
-    const std::vector<CoverBox>& boxes = cover_.find(group, axes, lines, seams, raster_, cover);
+    const std::vector<CoverBox>& boxes = cover_.find(group, axes, lines_, seams, raster_, cover);
     clock.done("cover");
     if (boxes.empty()) {
-      refuse(group, withoutCover(raster_.bounds().size()));
+      refused_.add(group.largest, withoutCover(raster_.bounds().size()));
     }
     for (const CoverBox& box : boxes) {
-      const auto outcome = fitTop(context, group, axes, raster_, box);
+      const auto outcome = fitTop(context, group, axes, raster_, box, top_buffers_);
       if (const auto* refusal = std::get_if<Refusal>(&outcome)) {
-        refuse(group, *refusal);
+        refused_.add(group.largest, *refusal);
       } else {
         tops_.push_back(std::get<FittedTop>(outcome));
       }
@@ -148,74 +150,19 @@ class LevelPipeline : public DetectionPipeline {
     return {RejectReason::kNotRectangular, bounds + text(", no rectangle explains its outline")};
   }
 
-  /// The reason stays with the blob that the group's largest piece lies in.
-  void refuse(const TopGroup& group, const Refusal& refusal) {
-    const LevelPiece& piece = pieces_.pieces()[static_cast<std::size_t>(group.largest)];
-    const int blob = blobOf(piece, group.largest);
-    if (blob >= 0 && refused_[static_cast<std::size_t>(blob)].text.empty()) {
-      refused_[static_cast<std::size_t>(blob)] = refusal;
-    }
-  }
-
-  int blobOf(const LevelPiece& piece, int number) const {
-    for (int row = piece.row_min; row <= piece.row_max; ++row) {
-      for (int col = piece.col_min; col <= piece.col_max; ++col) {
-        const std::size_t cell = cells_.index(row, col);
-        if (pieces_.pieceOf(cell) == number) return blobs_.blobOf(cell);
-      }
-    }
-    return -1;
-  }
-
   /// A level surface inside the footprint of a box and below its top is a part of that box.
   void dropParts() {
-    const auto points = [&](const FittedTop& top) {
-      return pieces_.pieces()[static_cast<std::size_t>(top.group->largest)].points;
-    };
-    std::stable_sort(tops_.begin(), tops_.end(), [&](const FittedTop& a, const FittedTop& b) {
-      return std::make_pair(points(a), a.fit.rectangle.area()) >
-             std::make_pair(points(b), b.fit.rectangle.area());
-    });
-    std::vector<FittedTop> kept;
+    std::sort(tops_.begin(), tops_.end(),
+              [](const FittedTop& a, const FittedTop& b) { return a.seen_m2 > b.seen_m2; });
+    kept_.clear();
     for (const FittedTop& top : tops_) {
-      const bool part = std::any_of(kept.begin(), kept.end(), [&](const FittedTop& other) {
+      const bool part = std::any_of(kept_.begin(), kept_.end(), [&](const FittedTop& other) {
         return other.fit.rectangle.contains(top.fit.rectangle.center) &&
                top.surface.height_m < other.surface.height_m + other.group->scale.band_m;
       });
-      if (!part) kept.push_back(top);
+      if (!part) kept_.push_back(top);
     }
-    tops_ = std::move(kept);
-  }
-
-  void collectRefused(const ClusterLimits& limits, Detections& result) const {
-    const auto min_points = static_cast<std::size_t>(options_.cluster.min_points);
-    for (std::size_t i = 0; i < blobs_.blobs().size(); ++i) {
-      const Blob& blob = blobs_.blobs()[i];
-      if (blob.points < min_points / kStrayDivisor) continue;
-      const bool part = std::any_of(found_.begin(), found_.end(), [&](const FoundBox& box) {
-        return box.footprint.contains(blob.centroid.head<2>(), static_cast<double>(limits.distance_m)) &&
-               blob.centroid.z() < box.top_m;
-      });
-      if (part) continue;
-      Refusal why = refused_[i];
-      if (blob.points < min_points) {
-        why = {RejectReason::kTooFewPoints,
-               std::to_string(blob.points) + " points, less than " + std::to_string(min_points)};
-      } else if (why.text.empty()) {
-        if (holdsBox(blob)) continue;
-        why = {RejectReason::kNoTopPlane,
-               "no level surface among its " + std::to_string(blob.points) + " points"};
-      }
-      result.rejected.push_back({why.reason, why.text, blob.centroid, blob.extent()});
-    }
-  }
-
-  bool holdsBox(const Blob& blob) const {
-    return std::any_of(found_.begin(), found_.end(), [&](const FoundBox& box) {
-      const Eigen::Vector2d c = box.footprint.center;
-      return (c.array() > blob.low.head<2>().array()).all() &&
-             (c.array() < blob.high.head<2>().array()).all();
-    });
+    std::swap(tops_, kept_);
   }
 
   const DetectionOptions& options_;
@@ -226,9 +173,13 @@ class LevelPipeline : public DetectionPipeline {
   TopRaster raster_;
   RectangleCover cover_;
   SeamSearch seam_search_;
-  std::vector<FittedTop> tops_;
+  LineBuffers line_buffers_;
+  OutlineLines lines_;
+  TopBuffers top_buffers_;
+  std::vector<FittedTop> tops_, kept_;
   std::vector<FoundBox> found_;
-  std::vector<Refusal> refused_;  // by blob; an empty text: nothing to say
+  std::vector<char> taken_;  // by cell: 1 for those of boxes
+  RefusedClusters refused_;
 };
 
 }  // namespace

@@ -17,17 +17,13 @@ constexpr double kBinPixels = 0.7;    // or so many pixels
 constexpr int kLineReach = 2;         // bins that belong to one peak, each way
 constexpr std::size_t kMaxLines = 8;  // of a sign
 
+using SideSample = LineBuffers::SideSample;
+
 /// Sum of the squared counts of the histograms of places along two directions.
 class Profile {
  public:
-  explicit Profile(const std::vector<Eigen::Vector2d>& places) {
-    x_.reserve(places.size());
-    y_.reserve(places.size());
-    for (const Eigen::Vector2d& place : places) {
-      x_.push_back(place.x());
-      y_.push_back(place.y());
-    }
-  }
+  /// Of the places in the buffers.
+  explicit Profile(LineBuffers& buffers) : x_(buffers.x), y_(buffers.y), axes_(buffers.profiles) {}
 
   double sharpness(double yaw, double bin) {
     const double c = std::cos(yaw);
@@ -43,10 +39,7 @@ class Profile {
   }
 
  private:
-  struct Axis {
-    std::vector<double> at;  // of each place, in bins from the first
-    std::vector<double> counts;
-  };
+  using Axis = LineBuffers::Profile;
 
   void project(double axis_x, double axis_y, double bin, Axis& axis) const {
     axis.at.resize(x_.size());
@@ -85,21 +78,16 @@ class Profile {
     return sum;
   }
 
-  std::vector<double> x_, y_;
-  std::array<Axis, 2> axes_;
-};
-
-/// Samples of one axis and sign, in local coordinates.
-struct SideSample {
-  double across;
-  double along;
-  double length;
+  const std::vector<double>& x_;
+  const std::vector<double>& y_;
+  std::array<Axis, 2>& axes_;
 };
 
 /// Peaks of the samples' places.
 class PeakFinder {
  public:
-  PeakFinder(double min_length_m, double bin_m) : min_length_m_(min_length_m), bin_m_(bin_m) {}
+  PeakFinder(double min_length_m, double bin_m, std::vector<double>& bins)
+      : min_length_m_(min_length_m), bin_m_(bin_m), bins_(bins) {}
 
   /// Adds the lines found, longest first.
   void find(const std::vector<SideSample>& samples, bool low, std::vector<OutlineLine>& lines) {
@@ -144,7 +132,7 @@ class PeakFinder {
  private:
   const double min_length_m_;
   const double bin_m_;
-  std::vector<double> bins_;
+  std::vector<double>& bins_;
 };
 
 /// Turn that levels the samples around their lines, by least squares over those nearer than `reach_m`.
@@ -174,10 +162,11 @@ double levelling(const std::array<std::vector<SideSample>, 4>& sides, const Outl
   return squares > 0.0 ? products / squares : 0.0;
 }
 
-std::array<std::vector<SideSample>, 4> bySide(const std::vector<EdgeSample>& samples, const TopAxes& axes) {
-  std::array<std::vector<SideSample>, 4> sides;
+void sortBySide(const std::vector<EdgeSample>& samples, const TopAxes& axes,
+                std::array<std::vector<SideSample>, 4>& sides) {
+  for (auto& side : sides) side.clear();
   for (const EdgeSample& s : samples) {
-    if (!s.isEdge() && s.beyond != Beyond::kHole) continue;
+    if (!s.isEdge() && s.beyond != Beyond::kHole && s.beyond != Beyond::kInk) continue;
     const Eigen::Vector2d local = axes.local(s.place);
     const Eigen::Vector2d out(s.outward.dot(axes.u), s.outward.dot(axes.v));
     const double pixel = s.pixel_m;
@@ -188,7 +177,6 @@ std::array<std::vector<SideSample>, 4> bySide(const std::vector<EdgeSample>& sam
       sides[2 * axis + (cosine < 0.0 ? 0 : 1)].push_back({local(a), local(1 - a), pixel * std::abs(cosine)});
     }
   }
-  return sides;
 }
 
 }  // namespace
@@ -196,15 +184,17 @@ std::array<std::vector<SideSample>, 4> bySide(const std::vector<EdgeSample>& sam
 TopAxes::TopAxes(const Eigen::Vector2d& at, double yaw)
     : origin(at), yaw_rad(yaw), u(std::cos(yaw), std::sin(yaw)), v(-u.y(), u.x()) {}
 
-double sharpestYaw(const std::vector<EdgeSample>& samples, double pixel_m) {
-  std::vector<Eigen::Vector2d> places;
+double sharpestYaw(const std::vector<EdgeSample>& samples, double pixel_m, LineBuffers& buffers) {
+  buffers.x.clear();
+  buffers.y.clear();
   const std::size_t stride = std::max<std::size_t>(1, samples.size() / kEnough);
-  places.reserve(samples.size() / stride + 1);
   for (std::size_t i = 0; i < samples.size(); i += stride) {
-    if (samples[i].isEdge() || samples[i].beyond == Beyond::kHole) places.push_back(samples[i].place);
+    if (!samples[i].isEdge() && samples[i].beyond != Beyond::kHole) continue;
+    buffers.x.push_back(samples[i].place.x());
+    buffers.y.push_back(samples[i].place.y());
   }
-  if (places.size() < 2) return 0.0;
-  Profile profile(places);
+  if (buffers.x.size() < 2) return 0.0;
+  Profile profile(buffers);
   double best_yaw = 0.0;
   double best = -1.0;
   const auto search = [&](double from, double step, int steps, double bin) {
@@ -223,12 +213,12 @@ double sharpestYaw(const std::vector<EdgeSample>& samples, double pixel_m) {
   return best_yaw;
 }
 
-OutlineLines findLines(const std::vector<EdgeSample>& samples, double pixel_m, double min_length_m,
-                       TopAxes& axes) {
-  OutlineLines lines;
+void findLines(const std::vector<EdgeSample>& samples, double pixel_m, double min_length_m, TopAxes& axes,
+               LineBuffers& buffers, OutlineLines& lines) {
   for (int round = 0; round < 2; ++round) {
-    const auto sides = bySide(samples, axes);
-    PeakFinder finder(min_length_m, std::max(kLeastBin, kBinPixels * pixel_m));
+    const auto& sides = buffers.sides;
+    sortBySide(samples, axes, buffers.sides);
+    PeakFinder finder(min_length_m, std::max(kLeastBin, kBinPixels * pixel_m), buffers.bins);
     for (std::size_t axis = 0; axis < 2; ++axis) {
       lines[axis].clear();
       finder.find(sides[2 * axis], true, lines[axis]);
@@ -241,7 +231,6 @@ OutlineLines findLines(const std::vector<EdgeSample>& samples, double pixel_m, d
     const double turn = levelling(sides, lines, std::max(0.003, 3.0 * pixel_m));
     axes = TopAxes(axes.origin, axes.yaw_rad - turn);
   }
-  return lines;
 }
 
 }  // namespace mixed_palletizing::detection

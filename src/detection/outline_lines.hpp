@@ -37,12 +37,31 @@ struct OutlineLine {
 /// Lines by the axis they cross: [0] across u, [1] across v; sorted by place.
 using OutlineLines = std::array<std::vector<OutlineLine>, 2>;
 
+/// Memory of the two functions below, kept between calls.
+struct LineBuffers {
+  /// Samples of one axis and sign, in local coordinates.
+  struct SideSample {
+    double across = 0.0;
+    double along = 0.0;
+    double length = 0.0;
+  };
+  /// Places across one direction.
+  struct Profile {
+    std::vector<double> at;  ///< of each place, in bins from the first
+    std::vector<double> counts;
+  };
+  std::vector<double> x, y;  ///< of places
+  std::array<Profile, 2> profiles;
+  std::array<std::vector<SideSample>, 4> sides;
+  std::vector<double> bins;
+};
+
 /// Yaw [rad] in [0, pi/2) that makes the samples fall onto the fewest lines.
 /// Source: the sharpness of projection profiles, as in skew estimation of scanned pages.
-double sharpestYaw(const std::vector<EdgeSample>& samples, double pixel_m);
+double sharpestYaw(const std::vector<EdgeSample>& samples, double pixel_m, LineBuffers& buffers);
 
-/// Lines of at least `min_length_m`, and the axes turned onto them by least squares.
-OutlineLines findLines(const std::vector<EdgeSample>& samples, double pixel_m, double min_length_m,
-                       TopAxes& axes);
+/// Finds the lines of at least `min_length_m`, and turns the axes onto them by least squares.
+void findLines(const std::vector<EdgeSample>& samples, double pixel_m, double min_length_m, TopAxes& axes,
+               LineBuffers& buffers, OutlineLines& lines);
 
 }  // namespace mixed_palletizing::detection

@@ -31,6 +31,13 @@ LocalBox shrunk(const LocalBox& box, double by) { return {box.low.array() + by, 
 
 }  // namespace
 
+RectangleCover::Support& RectangleCover::SupportLines::add(double at_m) {
+  if (count == kept.size()) kept.emplace_back();
+  Support& line = kept[count++];
+  line.at_m = at_m;
+  return line;
+}
+
 void RectangleCover::prepareLines(const TopGroup& group, const TopAxes& axes, const OutlineLines& lines,
                                   const std::vector<Seam>& seams, const TopRaster& raster) {
   bounds_ = raster.bounds();
@@ -38,7 +45,8 @@ void RectangleCover::prepareLines(const TopGroup& group, const TopAxes& axes, co
   const double same = std::max(kSameLine, group.pixel_m);
   const double near = std::max(kOnLine, 1.5 * group.pixel_m);
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    std::vector<std::pair<double, double>> places;  // length, place
+    auto& places = places_;
+    places.clear();
     for (const OutlineLine& line : lines[axis]) places.emplace_back(line.length_m, line.at_m);
     for (const Seam& seam : seams) {
       if (seam.axis == static_cast<int>(axis)) places.emplace_back(seam.to_m - seam.from_m, seam.at_m);
@@ -54,15 +62,13 @@ void RectangleCover::prepareLines(const TopGroup& group, const TopAxes& axes, co
     places.emplace_back(0.0, low);
     places.emplace_back(0.0, high);
     std::sort(places.rbegin(), places.rend());
-    lines_[axis].clear();
+    lines_[axis].count = 0;
     for (const auto& place : places) {
       const bool taken = std::any_of(lines_[axis].begin(), lines_[axis].end(), [&](const Support& other) {
         return std::abs(other.at_m - place.second) < (place.first > 0.0 ? same : 2.0 * near);
       });
-      if (taken || lines_[axis].size() >= kMaxLines) continue;
-      Support support;
-      support.at_m = place.second;
-      lines_[axis].push_back(std::move(support));
+      if (taken || lines_[axis].count >= kMaxLines) continue;
+      lines_[axis].add(place.second);
     }
     const auto other = static_cast<Eigen::Index>(1 - axis);
     const auto bins = static_cast<std::size_t>(bounds_.size()(other) / pitch_m_) + 2;
@@ -81,7 +87,9 @@ void RectangleCover::prepareLines(const TopGroup& group, const TopAxes& axes, co
       const Eigen::Vector2d local = axes.local(s.place);
       for (Support& line : lines_[axis]) {
         if (std::abs(local(static_cast<Eigen::Index>(axis)) - line.at_m) > near) continue;
-        line.sums[(cosine < 0.0 ? 0u : 1u) + (s.soft ? 2u : 0u)][binOf(local(other)) + 1] = 1.0f;
+        const std::size_t bin = binOf(local(other));
+        if (s.soft && surfaceBeyond(raster, line.at_m, bin, axis, cosine > 0.0)) continue;
+        line.sums[cosine < 0.0 ? 0u : 1u][bin + 1] = 1.0f;
       }
     }
     for (const Seam& seam : seams) {
@@ -113,13 +121,16 @@ double RectangleCover::supported(const Support& line, std::size_t axis, std::siz
   return b > a ? pitch_m_ * static_cast<double>(sums[b] - sums[a]) : 0.0;
 }
 
-/// Whether the same surface goes on within the width of a band of dark print beyond a side.
-bool RectangleCover::surfaceBeyond(const TopRaster& raster, const LocalBox& box, std::size_t axis,
+/// Whether the same surface goes on within the width of a band of dark print beyond a place of a line.
+bool RectangleCover::surfaceBeyond(const TopRaster& raster, double at_m, std::size_t bin, std::size_t axis,
                                    bool high) const {
   const auto a = static_cast<Eigen::Index>(axis);
-  LocalBox beyond = box;
-  (high ? beyond.low : beyond.high)(a) = high ? box.high(a) + pitch_m_ : box.low(a) - pitch_m_;
-  (high ? beyond.high : beyond.low)(a) = high ? box.high(a) + kWidestBand : box.low(a) - kWidestBand;
+  const double along = bounds_.low(1 - a) + static_cast<double>(bin) * pitch_m_;
+  LocalBox beyond;
+  beyond.low(1 - a) = along;
+  beyond.high(1 - a) = along + pitch_m_;
+  beyond.low(a) = high ? at_m + pitch_m_ : at_m - kWidestBand;
+  beyond.high(a) = high ? at_m + kWidestBand : at_m - pitch_m_;
   const TopRaster::Count count = raster.count(beyond);
   return count.top > kSurfaceBeyond * count.all;
 }
@@ -139,10 +150,7 @@ bool RectangleCover::rate(const TopRaster& raster, const std::array<const Suppor
     const double from = box.low(1 - a);
     const double to = box.high(1 - a);
     const double length = to - from;
-    double found = supported(*sides[i], axis, high ? 1 : 0, from, to);
-    const double soft = supported(*sides[i], axis, high ? 3 : 2, from, to);
-    if (soft > 0.0 && !surfaceBeyond(raster, box, axis, high)) found += soft;
-    found = std::min(length, found);
+    const double found = std::min(length, supported(*sides[i], axis, high ? 1 : 0, from, to));
     candidate.support[i] = found / length;
     // A strip on either side of the side.
     const double at = sides[i]->at_m;
@@ -171,11 +179,11 @@ bool RectangleCover::rate(const TopRaster& raster, const std::array<const Suppor
 void RectangleCover::collect(const TopRaster& raster, const CoverOptions& options) {
   candidates_.clear();
   const auto fits = [&](double size) { return size >= options.min_side_m && size <= options.max_side_m; };
-  for (const Support& left : lines_[0]) {
-    for (const Support& right : lines_[0]) {
+  for (Support& left : lines_[0]) {
+    for (Support& right : lines_[0]) {
       if (!fits(right.at_m - left.at_m)) continue;
-      for (const Support& bottom : lines_[1]) {
-        for (const Support& top : lines_[1]) {
+      for (Support& bottom : lines_[1]) {
+        for (Support& top : lines_[1]) {
           if (!fits(top.at_m - bottom.at_m)) continue;
           CoverBox candidate;
           candidate.box = {{left.at_m, bottom.at_m}, {right.at_m, top.at_m}};

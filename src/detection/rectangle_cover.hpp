@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "top_raster.hpp"
@@ -46,17 +47,27 @@ class RectangleCover {
   /// Outline on one line, along it, as sums over bins.
   struct Support {
     double at_m = 0.0;
-    std::array<std::vector<float>, 4> sums;  // of the samples that end low / high there; then the soft ones
+    std::array<std::vector<float>, 2> sums;  // of the samples that end low / high there
+  };
+  /// Lines across one axis; those before keep their memory for the next group.
+  struct SupportLines {
+    std::vector<Support> kept;
+    std::size_t count = 0;
+    Support& add(double at_m);
+    std::vector<Support>::iterator begin() { return kept.begin(); }
+    std::vector<Support>::iterator end() { return kept.begin() + static_cast<std::ptrdiff_t>(count); }
   };
   void prepareLines(const TopGroup& group, const TopAxes& axes, const OutlineLines& lines,
                     const std::vector<Seam>& seams, const TopRaster& raster);
   double supported(const Support& line, std::size_t axis, std::size_t kind, double from, double to) const;
-  bool surfaceBeyond(const TopRaster& raster, const LocalBox& box, std::size_t axis, bool high) const;
+  bool surfaceBeyond(const TopRaster& raster, double at_m, std::size_t bin, std::size_t axis,
+                     bool high) const;
   bool rate(const TopRaster& raster, const std::array<const Support*, 4>& sides, CoverBox& candidate) const;
   void collect(const TopRaster& raster, const CoverOptions& options);
   void choose(const TopRaster& raster, std::size_t next, double score);
 
-  std::array<std::vector<Support>, 2> lines_;
+  std::array<SupportLines, 2> lines_;
+  std::vector<std::pair<double, double>> places_;  // length and place of what may become a line
   LocalBox bounds_;
   double pitch_m_ = 0.0;
   std::vector<CoverBox> candidates_;

@@ -44,9 +44,9 @@ double median(std::vector<double>& values) {
 }
 
 /// Tukey's weights over the variance of the side's residuals; returns their robust standard deviation.
-double weigh(std::size_t side, const Solution& s, double smallest_m, std::vector<Vote>& votes) {
-  std::vector<double> sizes;
-  sizes.reserve(votes.size());
+double weigh(std::size_t side, const Solution& s, double smallest_m, std::vector<Vote>& votes,
+             std::vector<double>& sizes) {
+  sizes.clear();
   for (const Vote& vote : votes) sizes.push_back(std::abs(residual(vote, side, s)));
   const double scale = std::max(smallest_m, median(sizes) / kNormalMedian);
   for (Vote& vote : votes) {
@@ -90,12 +90,13 @@ void solve(const std::array<SideVotes, 4>& sides, const std::array<bool, 4>& fou
 /// Fits angle and offsets to the votes; returns the largest robust standard deviation of a side. It is at least
 /// that of the saw: on a side whose slope is a simple fraction the teeth take few values, and the rarer of
 /// them must not pass for outliers.
-double fitVotes(std::array<SideVotes, 4>& sides, const std::array<bool, 4>& found, Solution& s) {
+double fitVotes(const std::array<bool, 4>& found, FitBuffers& buffers, Solution& s) {
+  std::array<SideVotes, 4>& sides = buffers.sides;
   for (std::size_t i = 0; i < 4; ++i) {
     if (!found[i]) continue;
-    std::vector<double> across;
-    for (const Vote& vote : sides[i].votes) across.push_back(vote.across);
-    s.offset[i] = median(across);
+    buffers.values.clear();
+    for (const Vote& vote : sides[i].votes) buffers.values.push_back(vote.across);
+    s.offset[i] = median(buffers.values);
   }
   double scale = 0.0;
   for (int i = 0; i < kReweighings; ++i) {
@@ -103,7 +104,7 @@ double fitVotes(std::array<SideVotes, 4>& sides, const std::array<bool, 4>& foun
     for (std::size_t side = 0; side < 4; ++side) {
       if (!found[side]) continue;
       const double smallest = std::max(kSaw * meanPixel(sides[side]), 1e-9);
-      scale = std::max(scale, weigh(side, s, smallest, sides[side].votes));
+      scale = std::max(scale, weigh(side, s, smallest, sides[side].votes, buffers.values));
     }
     solve(sides, found, s);
   }
@@ -137,22 +138,22 @@ int RectangleFit::foundSides() const {
 }
 
 RectangleFit fitRectangle(const std::vector<EdgeSample>& samples, const EdgeRectangle& start,
-                          const FitScale& scale) {
+                          const FitScale& scale, FitBuffers& buffers) {
   RectangleFit fit;
   fit.rectangle = start.rectangle;
   double gate = std::max({6.0 * scale.spacing_m, 4.0 * scale.noise_m, 0.005});
   for (int round = 0; round < kRounds; ++round) {
     const Rectangle& r = fit.rectangle;
-    std::array<SideVotes, 4> sides;
+    std::array<SideVotes, 4>& sides = buffers.sides;
     std::array<bool, 4> found{};
     Solution s;
     for (std::size_t i = 0; i < 4; ++i) {
-      sides[i] = collectVotes(samples, r, i, gate, 2.0 * scale.spacing_m);
+      collectVotes(samples, r, i, gate, 2.0 * scale.spacing_m, sides[i]);
       found[i] = enoughVotes(sides[i], halfAlong(r, i));
       s.offset[i] = halfAcross(r, i);
     }
     if (std::count(found.begin(), found.end(), true) == 0) break;
-    const double scatter = fitVotes(sides, found, s);
+    const double scatter = fitVotes(found, buffers, s);
     fit.rectangle = moved(r, s);
     if ((fit.rectangle.size.array() <= 0.0).any()) return keepRectangle(start, scale);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -170,7 +171,7 @@ RectangleFit fitRectangle(const std::vector<EdgeSample>& samples, const EdgeRect
     gate = std::max(2.0 * scale.spacing_m, std::min(gate, 4.0 * scatter));
   }
   fit.ends = fit.rectangle;
-  moveOntoFaces(samples, scale, fit);
+  moveOntoFaces(samples, scale, buffers, fit);
   return fit;
 }
 

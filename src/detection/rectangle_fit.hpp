@@ -14,6 +14,7 @@
 
 #include "edge_walks.hpp"
 #include "rectangle_from_edges.hpp"
+#include "side_votes.hpp"
 
 namespace mixed_palletizing::detection {
 
@@ -43,11 +44,17 @@ struct FitScale {
       Eigen::Vector3d(0.0, 0.0, 1e6);  ///< place, z above the top; default: straight above
 };
 
+/// Memory of a fit, kept between calls.
+struct FitBuffers {
+  std::array<SideVotes, 4> sides;
+  std::vector<double> values, others;
+};
+
 /// Moves the starting rectangle onto the samples: one angle and four offsets with Tukey's weights. Where a face
 /// below stands out beyond the side (a rounded edge), the side is moved onto the face. Sides with too few samples
 /// keep their place.
 RectangleFit fitRectangle(const std::vector<EdgeSample>& samples, const EdgeRectangle& start,
-                          const FitScale& scale);
+                          const FitScale& scale, FitBuffers& buffers);
 
 /// The starting rectangle as it is, with the spread of its edges: the thesis' result.
 RectangleFit keepRectangle(const EdgeRectangle& start, const FitScale& scale);

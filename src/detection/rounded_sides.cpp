@@ -39,8 +39,10 @@ double restOf(double radius_m, double drop_m) {
 /// One side of a fit as the camera sees it.
 class Side {
  public:
-  Side(const FitScale& scale, RectangleFit& fit, std::size_t side)
+  Side(const FitScale& scale, FitBuffers& buffers, RectangleFit& fit, std::size_t side)
       : scale_(scale),
+        values_(buffers.values),
+        others_(buffers.others),
         fit_(fit),
         side_(side),
         axes_(fit.rectangle),
@@ -53,8 +55,10 @@ class Side {
 
   /// How far the faces below the edge stand out; nothing when too few are seen.
   std::optional<double> faceBeyond(const std::vector<EdgeSample>& samples) {
-    std::vector<double> beyond;
-    std::vector<double> drops;
+    std::vector<double>& beyond = values_;
+    std::vector<double>& drops = others_;
+    beyond.clear();
+    drops.clear();
     for (const EdgeSample& s : samples) {
       if (!s.has_face || !isNear(s)) continue;
       beyond.push_back(kOutward[side_].dot(axes_.local(s.face)) - halfAcross(fit_.rectangle, side_));
@@ -70,8 +74,10 @@ class Side {
   /// The rest of a round of a known radius, behind where the surface ends: at a bend, or where a ray of the camera or
   /// of the projector touches the round.
   std::optional<double> restOfRound(const std::vector<EdgeSample>& samples, double radius_m) const {
-    std::vector<double> bends;
-    std::vector<double> jumps;
+    std::vector<double>& bends = values_;
+    std::vector<double>& jumps = others_;
+    bends.clear();
+    jumps.clear();
     for (const EdgeSample& s : samples) {
       if (s.beyond != Beyond::kDrop || !isNear(s)) continue;
       (s.bent ? bends : jumps).push_back(static_cast<double>(s.drop_m));
@@ -112,6 +118,8 @@ class Side {
   }
 
   const FitScale& scale_;
+  std::vector<double>& values_;
+  std::vector<double>& others_;
   RectangleFit& fit_;
   const std::size_t side_;
   const Axes axes_;
@@ -122,12 +130,13 @@ class Side {
 
 }  // namespace
 
-void moveOntoFaces(const std::vector<EdgeSample>& samples, const FitScale& scale, RectangleFit& fit) {
+void moveOntoFaces(const std::vector<EdgeSample>& samples, const FitScale& scale, FitBuffers& buffers,
+                   RectangleFit& fit) {
   std::array<std::optional<double>, 4> faces;
   double sum = 0.0;
   double measured = 0.0;
   for (std::size_t i = 0; i < 4; ++i) {
-    Side side(scale, fit, i);
+    Side side(scale, buffers, fit, i);
     if (fit.sides[i].found && side.inView()) faces[i] = side.faceBeyond(samples);
     if (!faces[i]) continue;
     sum += *faces[i];
@@ -138,7 +147,7 @@ void moveOntoFaces(const std::vector<EdgeSample>& samples, const FitScale& scale
   if (round) fit.rounding_m = radiusOf(sum / measured, scale.bend_m);
   if (measured > 0.0 && !round) return;
   for (std::size_t i = 0; i < 4; ++i) {
-    Side side(scale, fit, i);
+    Side side(scale, buffers, fit, i);
     if (!fit.sides[i].found) continue;
     auto beyond = side.faceBeyond(samples);
     const bool guessed = round && !faces[i];

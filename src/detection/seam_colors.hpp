@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "seam_lattice.hpp"
 
@@ -16,10 +17,26 @@ struct SeamWindows {
   int last_line = -1;
 };
 
-/// Whether the colour changes by the same amount along most of the lines that show both sides. Where two boxes touch it
-/// does; edges of several labels that happen to lie on one line change it by one amount and another. Amounts that
-/// differ by less than `tolerance` (of 255) are the same.
-bool changesEvenly(const SeamLattice& lattice, const SeamWindows& windows, double tolerance);
+/// Keeps its memory between calls.
+class SeamColors {
+ public:
+  /// Whether the colour changes from one box's to another's: by the same amount along most of the lines that show both
+  /// sides, and no line shows on one side what is usual on the other. Edges of several labels that happen to lie on one
+  /// line change it by one amount and another, or on one side here and on the other there, where the same carton shows
+  /// on both. Colours that differ by less than `tolerance` (of 255) are the same.
+  bool differ(const SeamLattice& lattice, const SeamWindows& windows, double tolerance);
+
+  /// How much the colour changes along half of the lines, of 255.
+  double changeAt(const SeamLattice& lattice, const SeamWindows& windows);
+
+ private:
+  using Color = std::array<double, 3>;
+  void read(const SeamLattice& lattice, const SeamWindows& windows);
+  Color usualOf(const std::vector<Color>& colors);
+
+  std::vector<Color> lows_, highs_, changes_;  // of each line
+  std::vector<double> values_;
+};
 
 /// Whether the surface ends there, seen at two places across: a few millimetres farther along (`sign`: 1, or -1 for
 /// backwards) at most half of it is left.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seam_colors.hpp"
+#include "window_sums.hpp"
 
 namespace mixed_palletizing::detection {
 namespace {
@@ -24,22 +24,6 @@ constexpr double kFar = 0.02;           // [m] to both sides of a seam there mus
 constexpr double kShortest = 0.015;     // [m]
 constexpr double kMargin = 0.004;       // [m] at the ends of a stretch that may be torn
 constexpr int kRoom = kNear + kWindow;  // places at both ends that have no window
-
-/// Sums of five neighbours, the first of which is the place itself; added up forwards or backwards.
-void sumForwards(const std::vector<float>& values, std::vector<float>& sums) {
-  static_assert(kWindow == 5, "the sum is written out");
-  const float* __restrict__ x = values.data();
-  float* __restrict__ sum = sums.data();
-  const std::size_t count = values.size() - 4;
-  for (std::size_t i = 0; i < count; ++i) sum[i] = x[i] + x[i + 1] + x[i + 2] + x[i + 3] + x[i + 4];
-}
-
-void sumBackwards(const std::vector<float>& values, std::vector<float>& sums) {
-  const float* __restrict__ x = values.data();
-  float* __restrict__ sum = sums.data();
-  const std::size_t count = values.size() - 4;
-  for (std::size_t i = 0; i < count; ++i) sum[i] = x[i + 4] + x[i + 3] + x[i + 2] + x[i + 1] + x[i];
-}
 
 }  // namespace
 
@@ -87,6 +71,7 @@ void SeamSearch::readLine(int line) {
     third[i] = heights[i] / 3.0f;
     surface[i] = tops[i] != 0 ? heights[i] : 0.0f;
   }
+  static_assert(kWindow == 5, "the sums are written out");
   sumForwards(top_, top_sum_);
   sumForwards(surface_, surface_sum_);
   sumBackwards(surface_, surface_sum_back_);
@@ -152,11 +137,12 @@ bool SeamSearch::endsAt(double along_m, int sign, int i, int axis) const {
   return surfaceEnds(lattice_, along_m, sign, {i - kRoom, i + kRoom});
 }
 
-/// How much a place looks like a seam, above 1; 0 for none.
-double SeamSearch::strengthAt(int i, int axis, const Stretch& stretch, const TopGroup& group) const {
+SeamSearch::Peak SeamSearch::rate(int i, int axis, const Stretch& stretch, const TopGroup& group) const {
   const auto at = static_cast<std::size_t>(i);
   const int inside = all_.inside[at];
-  if (inside < kInsideShare * stretch.count()) return 0.0;
+  Peak peak;
+  peak.i = i;
+  if (inside < kInsideShare * stretch.count()) return peak;
   const double noise_m = group.scale.noise_m;
   const double dip = all_.dip[at] / inside;
   const double least =
@@ -167,15 +153,12 @@ double SeamSearch::strengthAt(int i, int axis, const Stretch& stretch, const Top
     everywhere =
         everywhere && (n == 0 || part.dip[at] / n > kPartShare * dip - 2.0 * noise_m / std::sqrt(2.0 * n));
   }
-  const double by_dip = everywhere ? dip / least : 0.0;
-  double by_color = static_cast<double>(all_.steps[at]) / (kColorShare * inside);
-  if (by_color > 1.0 &&
-      !(endsAt(stretch.from_m, -1, i, axis) && endsAt(stretch.to_m, 1, i, axis) &&
-        changesEvenly(lattice_, {i, kNear, kWindow, stretch.first, stretch.last}, color_step_))) {
-    by_color = 0.0;
+  peak.by_dip = everywhere ? dip / least : 0.0;
+  peak.by_color = static_cast<double>(all_.steps[at]) / (kColorShare * inside);
+  if (peak.by_color > 1.0 && !(endsAt(stretch.from_m, -1, i, axis) && endsAt(stretch.to_m, 1, i, axis))) {
+    peak.by_color = 0.0;
   }
-  const double strength = std::max(by_dip, by_color);
-  return strength > 1.0 ? strength + 0.01 * by_dip : 0.0;
+  return peak;
 }
 
 void SeamSearch::findIn(int axis, const Stretch& stretch, const TopGroup& group) {
@@ -191,10 +174,26 @@ void SeamSearch::findIn(int axis, const Stretch& stretch, const TopGroup& group)
   }
   peaks_.clear();
   for (int i = 0; i < lattice_.count(); ++i) {
-    const double strength = strengthAt(i, axis, stretch, group);
-    if (strength > 0.0) peaks_.push_back({strength, i});
+    const Peak peak = rate(i, axis, stretch, group);
+    if (std::max(peak.by_dip, peak.by_color) > 1.0) peaks_.push_back(peak);
   }
   keepPeaks(axis, stretch);
+}
+
+/// Places side by side see one change of colour; only where it is clearest the windows hold one side each.
+void SeamSearch::doubtColors(std::size_t begin, std::size_t end, const Stretch& stretch) {
+  const auto windows = [&](int i) { return SeamWindows{i, kNear, kWindow, stretch.first, stretch.last}; };
+  double most = 0.0;
+  int clearest = -1;
+  for (std::size_t k = begin; k < end; ++k) {
+    if (peaks_[k].by_color <= 1.0) continue;
+    const double change = colors_.changeAt(lattice_, windows(peaks_[k].i));
+    if (change <= most) continue;
+    most = change;
+    clearest = peaks_[k].i;
+  }
+  if (clearest >= 0 && colors_.differ(lattice_, windows(clearest), color_step_)) return;
+  for (std::size_t k = begin; k < end; ++k) peaks_[k].by_color = 0.0;
 }
 
 /// A seam is seen by a few places side by side: their middle, by strength.
@@ -202,16 +201,17 @@ void SeamSearch::keepPeaks(int axis, const Stretch& stretch) {
   for (std::size_t p = 0; p < peaks_.size();) {
     std::size_t end = p + 1;
     while (end < peaks_.size() && peaks_[end].i - peaks_[end - 1].i <= 2) ++end;
+    doubtColors(p, end, stretch);
     double best = 0.0;
-    for (std::size_t k = p; k < end; ++k) best = std::max(best, peaks_[k].strength);
+    for (std::size_t k = p; k < end; ++k) best = std::max(best, peaks_[k].strength());
     double sum = 0.0;
     double weight = 0.0;
-    for (std::size_t k = p; k < end; ++k) {
-      if (peaks_[k].strength < 0.9 * best) continue;
+    for (std::size_t k = p; k < end && best > 1.0; ++k) {
+      if (peaks_[k].strength() < 0.9 * best) continue;
       sum += peaks_[k].i;
       weight += 1.0;
     }
-    seams_.push_back({axis, lattice_.across(sum / weight), stretch.from_m, stretch.to_m});
+    if (weight > 0.0) seams_.push_back({axis, lattice_.across(sum / weight), stretch.from_m, stretch.to_m});
     p = end;
   }
 }

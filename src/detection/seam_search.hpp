@@ -4,9 +4,11 @@
 // the outline, and runs all the way from one line of the outline to another; prints and labels seldom do.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
+#include "seam_colors.hpp"
 #include "seam_lattice.hpp"
 
 namespace mixed_palletizing::detection {
@@ -37,22 +39,26 @@ class SeamSearch {
     int first = 0, last = -1;
     int count() const { return last - first + 1; }
   };
-  /// A place across that looks like a seam.
+  /// A place across that looks like a seam, by what; above 1 in one way at least.
   struct Peak {
-    double strength = 0.0;
+    double by_dip = 0.0;
+    double by_color = 0.0;
     int i = 0;
+    double strength() const { return std::max(by_dip, by_color) + 0.01 * by_dip; }
   };
 
   void prepare();
   void readLine(int line);
   void lookFar();
   void rateLine();
-  double strengthAt(int i, int axis, const Stretch& stretch, const TopGroup& group) const;
+  Peak rate(int i, int axis, const Stretch& stretch, const TopGroup& group) const;
   bool endsAt(double along_m, int sign, int i, int axis) const;
   void findIn(int axis, const Stretch& stretch, const TopGroup& group);
   void keepPeaks(int axis, const Stretch& stretch);
+  void doubtColors(std::size_t begin, std::size_t end, const Stretch& stretch);
 
   SeamLattice lattice_;
+  SeamColors colors_;
   float color_step_ = 0.0f;  // more is a change of colour; a whole number
   std::size_t room_ = 0;     // at both ends of the line below
   std::array<std::size_t, kFarSamples> far_{};

@@ -28,9 +28,10 @@ struct Extent {
 
 }  // namespace
 
-SideVotes collectVotes(const std::vector<EdgeSample>& samples, const geometry::Rectangle& r, std::size_t side,
-                       double gate_m, double corner_m) {
-  SideVotes result;
+void collectVotes(const std::vector<EdgeSample>& samples, const geometry::Rectangle& r, std::size_t side,
+                  double gate_m, double corner_m, SideVotes& result) {
+  result.votes.clear();
+  result.wall_share = 0.0;
   const double reach = std::max(0.0, halfAlong(r, side) * (1.0 - kCornerShare) - corner_m);
   const double offset = halfAcross(r, side);
   const Axes axes(r);
@@ -67,7 +68,6 @@ SideVotes collectVotes(const std::vector<EdgeSample>& samples, const geometry::R
   }
   result.wall_share /= std::max(1.0, static_cast<double>(result.votes.size()));
   result.crossings = crossed.length();
-  return result;
 }
 
 bool enoughVotes(const SideVotes& side, double half_along_m) {

@@ -25,8 +25,8 @@ struct SideVotes {
 
 /// Ends of the surface within `gate_m` of the side, walked to from inside, and not within `corner_m` of its ends;
 /// of rows and columns those that cross the side more squarely.
-SideVotes collectVotes(const std::vector<EdgeSample>& samples, const geometry::Rectangle& rectangle,
-                       std::size_t side, double gate_m, double corner_m);
+void collectVotes(const std::vector<EdgeSample>& samples, const geometry::Rectangle& rectangle,
+                  std::size_t side, double gate_m, double corner_m, SideVotes& result);
 
 /// True when the votes are enough, and spread along enough of the side, to say where it is.
 bool enoughVotes(const SideVotes& votes, double half_along_m);

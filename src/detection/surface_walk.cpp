@@ -11,7 +11,13 @@ constexpr int kMixed = 4;            // pixels of the widest end that counts as 
 constexpr double kLookShare = 0.20;  // of the image side: how far beyond missing data one looks
 constexpr double kBorderShare = 0.03;  // of the image side: an image border this near, behind no data
 constexpr std::size_t kFaceKept = 3;   // of the deepest of these give its place
-constexpr double kFaceDepth = 0.04;    // [m] below the top
+constexpr int kInkFrom = 2;            // pixels beyond an end that are looked at: behind mixed ones ...
+constexpr int kInkTo = 4;              // ... and before what comes after
+constexpr int kInkLuma = 30;           // of 255
+constexpr int kLumaRed = 299;          // of a thousand, ITU-R BT.601
+constexpr int kLumaGreen = 587;
+constexpr int kLumaBlue = 114;
+constexpr double kFaceDepth = 0.04;  // [m] below the top
 constexpr double kBandSigmas = 3.5;
 constexpr float kBendBands = 3.0f;
 constexpr double kWallPixels = 3.0;  // a wall starts within so many pixels of the end
@@ -21,15 +27,16 @@ constexpr double kWallPixels = 3.0;  // a wall starts within so many pixels of t
 int SurfaceWalk::go(int most) {
   if (!onSurface(off(0))) return -1;
   int missed = 0;
-  for (int i = 1; i < most && inside(i); ++i) {
+  for (int i = 1; i < most; ++i) {
+    if (!inside(i)) return last_;
     if (onSurface(off(i))) {
       last_ = i;
       missed = 0;
     } else if (++missed > kTolerated) {
-      break;
+      return last_;
     }
   }
-  return last_;
+  return -1;
 }
 
 EdgeSample SurfaceWalk::sample(bool with_face) {
@@ -40,6 +47,9 @@ EdgeSample SurfaceWalk::sample(bool with_face) {
   const int beyond = lookBeyond(s.beyond);
   resumes_ = beyond;
   s.soft = beyond == 0 || beyond - last_ > kMixed;
+  if (s.soft && (s.beyond == Beyond::kDrop || s.beyond == Beyond::kNoData) && isInkBeyond()) {
+    s.beyond = Beyond::kInk;
+  }
   double end = last_ + 0.5;
   double level = level_.at(end);
   const int sign = s.beyond == Beyond::kWall ? 1 : -1;
@@ -61,6 +71,19 @@ EdgeSample SurfaceWalk::sample(bool with_face) {
   s.outward = step / std::max(length, 1e-9);
   if (s.beyond == Beyond::kHole) s.gap_m = static_cast<float>((beyond - last_ - 1) * length);
   return s;
+}
+
+/// Pixels without data tell their colour: those of a shadow are lit by the room, those of ink are black. A driver that
+/// has no colour for them leaves it zero.
+bool SurfaceWalk::isInkBeyond() const {
+  if (!cloud_.view().hasColor()) return false;
+  for (int i = last_ + kInkFrom; i <= last_ + kInkTo; ++i) {
+    if (!inside(i) || isNumber(off(i))) return false;
+    const std::uint8_t* bgr = cloud_.view().bgr(row_ + i * down_, col_ + i * right_);
+    const int luma = (kLumaBlue * bgr[0] + kLumaGreen * bgr[1] + kLumaRed * bgr[2]) / 1000;
+    if (luma == 0 || luma > kInkLuma) return false;
+  }
+  return true;
 }
 
 bool SurfaceWalk::inside(int i) const {

@@ -32,7 +32,8 @@ class SurfaceWalk {
         right_(right),
         level_(level) {}
 
-  /// Pixels from the start to the last one on the surface; -1 when the start is not on it.
+  /// Pixels from the start to the last one on the surface; -1 when the start is not on it, or no end comes within
+  /// `most` pixels.
   int go(int most);
 
   /// What ends the surface where go() came to. `with_face`: look for the face below, too.
@@ -43,6 +44,8 @@ class SurfaceWalk {
 
  private:
   static bool isNumber(float x) { return x - x == 0.0f; }
+
+  bool isInkBeyond() const;
 
   bool inside(int i) const;
 

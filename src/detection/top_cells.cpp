@@ -19,15 +19,9 @@ constexpr double kFilled = 0.5;      // share of a cell's pixels
 constexpr double kFilledPart = 0.3;  // of the mean part
 constexpr int kTrimRounds = 2;
 
-/// A cell of the top in the rectangle's axes.
-struct TopCell {
-  double x, y, height, weight;
-  double off;  ///< above the plane of the surface
-};
-
-std::vector<TopCell> innerCells(const LevelContext& context, const TopGroup& group, const RectangleFit& fit,
-                                double level_m) {
-  std::vector<TopCell> cells;
+void findInnerCells(const LevelContext& context, const TopGroup& group, const RectangleFit& fit,
+                    double level_m, std::vector<SurfaceCell>& cells) {
+  cells.clear();
   const int k = context.cells.cellPx();
   const geometry::Rectangle& r = fit.rectangle;
   const LevelPiece& piece = context.pieces.pieces()[static_cast<std::size_t>(group.largest)];
@@ -50,14 +44,13 @@ std::vector<TopCell> innerCells(const LevelContext& context, const TopGroup& gro
                        cell.height - piece.heightAt({cell.x, cell.y})});
     }
   }
-  return cells;
 }
 
 /// What hides a top lies above it; what lies below are its dents.
-void meanOf(const std::vector<TopCell>& cells, double reach_m, TopSurface& surface) {
+void meanOf(const std::vector<SurfaceCell>& cells, double reach_m, TopSurface& surface) {
   double n = 0.0, sum = 0.0, squares = 0.0;
   std::size_t count = 0;
-  for (const TopCell& cell : cells) {
+  for (const SurfaceCell& cell : cells) {
     const double off = cell.height - surface.height_m;
     if (cell.off > reach_m) continue;
     ++count;
@@ -71,11 +64,11 @@ void meanOf(const std::vector<TopCell>& cells, double reach_m, TopSurface& surfa
   surface.height_m += sum / n;
 }
 
-double unevenness(const std::vector<TopCell>& cells, const geometry::Rectangle& r, double height_m) {
+double unevenness(const std::vector<SurfaceCell>& cells, const geometry::Rectangle& r, double height_m) {
   std::array<double, kParts * kParts> sums{};
   std::array<double, kParts * kParts> weights{};
   double all = 0.0;
-  for (const TopCell& cell : cells) {
+  for (const SurfaceCell& cell : cells) {
     const int i = std::clamp(static_cast<int>((cell.x / r.size.x() + 0.5) * kParts), 0, kParts - 1);
     const int k = std::clamp(static_cast<int>((cell.y / r.size.y() + 0.5) * kParts), 0, kParts - 1);
     const auto part = static_cast<std::size_t>(k * kParts + i);
@@ -92,10 +85,10 @@ double unevenness(const std::vector<TopCell>& cells, const geometry::Rectangle& 
 }
 
 /// Slope of the plane that fits the cells best, along x and y of the base frame.
-Eigen::Vector2d slopeOf(const std::vector<TopCell>& cells, const geometry::Rectangle& r) {
+Eigen::Vector2d slopeOf(const std::vector<SurfaceCell>& cells, const geometry::Rectangle& r) {
   double n = 0.0;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const TopCell& cell : cells) {
+  for (const SurfaceCell& cell : cells) {
     n += cell.weight;
     mean += cell.weight * Eigen::Vector3d(cell.x, cell.y, cell.height);
   }
@@ -103,7 +96,7 @@ Eigen::Vector2d slopeOf(const std::vector<TopCell>& cells, const geometry::Recta
   mean /= n;
   Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
   Eigen::Vector2d products = Eigen::Vector2d::Zero();
-  for (const TopCell& cell : cells) {
+  for (const SurfaceCell& cell : cells) {
     const Eigen::Vector2d d(cell.x - mean.x(), cell.y - mean.y());
     squares += cell.weight * d * d.transpose();
     products += cell.weight * (cell.height - mean.z()) * d;
@@ -116,10 +109,10 @@ Eigen::Vector2d slopeOf(const std::vector<TopCell>& cells, const geometry::Recta
 }  // namespace
 
 TopSurface measureCells(const LevelContext& context, const TopGroup& group, const RectangleFit& fit,
-                        double level_m) {
+                        double level_m, std::vector<SurfaceCell>& cells) {
   TopSurface surface;
   surface.height_m = level_m;
-  const std::vector<TopCell> cells = innerCells(context, group, fit, level_m);
+  findInnerCells(context, group, fit, level_m, cells);
   meanOf(cells, INFINITY, surface);
   if (group.scale.flat) {
     for (int i = 0; i < kTrimRounds; ++i) meanOf(cells, group.scale.band_m, surface);

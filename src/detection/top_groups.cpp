@@ -41,14 +41,12 @@ bool isBeside(const CellGrid& cells, const LevelPieces& pieces, const EdgeSample
   return false;
 }
 
-double medianPixel(std::vector<EdgeSample>& samples) {
-  const auto middle = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
-  std::vector<float> pixels;
-  pixels.reserve(samples.size());
+double medianPixel(const std::vector<EdgeSample>& samples, std::vector<float>& pixels) {
+  pixels.clear();
   for (const EdgeSample& s : samples) pixels.push_back(s.pixel_m);
-  const auto at = pixels.begin() + (middle - samples.begin());
-  std::nth_element(pixels.begin(), at, pixels.end());
-  return static_cast<double>(*at);
+  const auto middle = pixels.begin() + static_cast<std::ptrdiff_t>(pixels.size() / 2);
+  std::nth_element(pixels.begin(), middle, pixels.end());
+  return static_cast<double>(*middle);
 }
 
 }  // namespace
@@ -69,13 +67,14 @@ void TopGroups::trace(const BaseCloud& cloud, const CellGrid& cells, const Senso
   walkEdges(cloud, cells, pieces, static_cast<int>(index), outline.rays, outline.scale, outline.samples);
   if (outline.samples.empty()) return;
   outline.usable = true;
-  outline.pixel_m = medianPixel(outline.samples);
-  outline.yaw_rad = sharpestYaw(outline.samples, outline.pixel_m);
+  outline.pixel_m = medianPixel(outline.samples, pixels_);
+  outline.yaw_rad = sharpestYaw(outline.samples, outline.pixel_m, lines_);
   const TopAxes axes(Eigen::Vector2d::Zero(), outline.yaw_rad);
   outline.bounds = LocalBox::none();
   for (const EdgeSample& s : outline.samples) outline.bounds.include(axes.local(s.place));
   const auto open = std::count_if(outline.samples.begin(), outline.samples.end(), [](const EdgeSample& s) {
-    return s.beyond == Beyond::kHole || s.beyond == Beyond::kOccluder || s.beyond == Beyond::kNoData;
+    return s.beyond == Beyond::kHole || s.beyond == Beyond::kOccluder || s.beyond == Beyond::kInk ||
+           s.beyond == Beyond::kNoData;
   });
   outline.open = static_cast<std::size_t>(open) >= kOpenSamples;
 }
@@ -129,11 +128,24 @@ bool TopGroups::together(const LevelPieces& pieces, std::size_t a, std::size_t b
   return std::abs(geometry::foldQuarterTurn(one.yaw_rad - two.yaw_rad)) < kSameYaw;
 }
 
+/// An empty group in the memory of one before.
+TopGroup& TopGroups::addGroup() {
+  if (spare_.empty()) return groups_.emplace_back();
+  TopGroup& made = groups_.emplace_back(std::move(spare_.back()));
+  spare_.pop_back();
+  made.pieces.clear();
+  made.dents.clear();
+  made.samples.clear();
+  made.box = PixelBox();
+  return made;
+}
+
 const std::vector<TopGroup>& TopGroups::find(const BaseCloud& cloud, const CellGrid& cells,
                                              const SensorNoise& noise, const LevelPieces& pieces) {
   const std::size_t count = pieces.pieces().size();
   if (outlines_.size() < count) outlines_.resize(count);
-  std::vector<std::size_t> group(count);
+  std::vector<std::size_t>& group = first_;
+  group.resize(count);
   std::iota(group.begin(), group.end(), std::size_t{0});
   for (std::size_t i = 0; i < count; ++i) trace(cloud, cells, noise, pieces, i);
   findDents(cells, pieces);
@@ -145,17 +157,11 @@ const std::vector<TopGroup>& TopGroups::find(const BaseCloud& cloud, const CellG
       std::replace(group.begin(), group.end(), from, to);
     }
   }
-  for (TopGroup& group_before : groups_) spare_.push_back(std::move(group_before.samples));
+  for (TopGroup& before : groups_) spare_.push_back(std::move(before));
   groups_.clear();
   for (std::size_t first = 0; first < count; ++first) {
     if (group[first] != first || !outlines_[first].usable) continue;
-    groups_.emplace_back();
-    TopGroup& made = groups_.back();
-    if (!spare_.empty()) {
-      made.samples = std::move(spare_.back());
-      made.samples.clear();
-      spare_.pop_back();
-    }
+    TopGroup& made = addGroup();
     std::size_t most = 0;
     for (std::size_t i = first; i < count; ++i) {
       if (group[i] != first || !outlines_[i].usable) continue;
@@ -176,7 +182,7 @@ const std::vector<TopGroup>& TopGroups::find(const BaseCloud& cloud, const CellG
     }
     if (made.pieces.size() > 1) {
       made.rays.fit(cloud, made.box.grown(kRayMargin, cloud.width(), cloud.height()));
-      made.yaw_rad = sharpestYaw(made.samples, made.pixel_m);
+      made.yaw_rad = sharpestYaw(made.samples, made.pixel_m, lines_);
     }
   }
   return groups_;

@@ -33,11 +33,15 @@ class TopGroups {
              const LevelPieces& pieces, std::size_t piece);
   bool isDent(const CellGrid& cells, const LevelPieces& pieces, std::size_t small, std::size_t large) const;
   void findDents(const CellGrid& cells, const LevelPieces& pieces);
+  TopGroup& addGroup();
   bool together(const LevelPieces& pieces, std::size_t a, std::size_t b) const;
 
   std::vector<Outline> outlines_;
   std::vector<TopGroup> groups_;
-  std::vector<std::vector<EdgeSample>> spare_;  // memory of groups before
+  std::vector<TopGroup> spare_;     // memory of groups before
+  std::vector<std::size_t> first_;  // by piece: the first piece of its group
+  LineBuffers lines_;
+  std::vector<float> pixels_;
 };
 
 }  // namespace mixed_palletizing::detection

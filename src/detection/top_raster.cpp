@@ -64,14 +64,15 @@ Seen TopRaster::look(const BaseCloud& cloud, const CellGrid& cells, const LevelP
   if (piece >= 0 && member_[static_cast<std::size_t>(piece)]) return Seen::kTop;
   if (!cloud.valid(row, col)) return Seen::kUnknown;
   const double off = static_cast<double>(cloud.point(row, col).z()) - level;
-  if (std::abs(off) <= group.scale.band_m) return Seen::kTop;
-  if (off > 0.0) return Seen::kUnknown;
-  if (off < -std::max(kDeepestDent, 2.0 * group.scale.band_m)) return Seen::kFree;
-  if (piece < 0) return Seen::kUnknown;
   const auto points = [&](int i) {
     return static_cast<double>(pieces.pieces()[static_cast<std::size_t>(i)].points);
   };
-  return points(piece) < kDentShare * points(group.largest) ? Seen::kUnknown : Seen::kFree;
+  const bool other = piece >= 0 && points(piece) >= kDentShare * points(group.largest);
+  // A large piece of another group is the top of something else, even at the same level.
+  if (std::abs(off) <= group.scale.band_m) return other ? Seen::kUnknown : Seen::kTop;
+  if (off > 0.0) return Seen::kUnknown;
+  if (off < -std::max(kDeepestDent, 2.0 * group.scale.band_m)) return Seen::kFree;
+  return other ? Seen::kFree : Seen::kUnknown;
 }
 
 TopRaster::Count TopRaster::count(const LocalBox& box) const {

@@ -55,7 +55,10 @@ Case randomCase(double noise_m, std::mt19937& rng) {
   return c;
 }
 
-RectangleFit fit(const Case& c) { return fitRectangle(c.samples, c.start, {kPixel, 0.0003, 0.0}); }
+RectangleFit fit(const Case& c) {
+  FitBuffers buffers;
+  return fitRectangle(c.samples, c.start, {kPixel, 0.0003, 0.0}, buffers);
+}
 
 double yawError(const RectangleFit& found, const Rectangle& truth) {
   return std::abs(geometry::foldQuarterTurn(found.rectangle.yaw_rad - truth.yaw_rad));
@@ -99,7 +102,8 @@ TEST(FitRectangle, standsAThirdOfOutliersAndAHiddenSide) {
 TEST(FitRectangle, keepsTheStartWithoutSamples) {
   EdgeRectangle start;
   start.rectangle.size = Eigen::Vector2d(0.3, 0.2);
-  const RectangleFit found = fitRectangle({}, start, {kPixel, 0.001, 0.0});
+  FitBuffers buffers;
+  const RectangleFit found = fitRectangle({}, start, {kPixel, 0.001, 0.0}, buffers);
   EXPECT_EQ(found.foundSides(), 0);
   EXPECT_EQ(found.rectangle.size, start.rectangle.size);
 }

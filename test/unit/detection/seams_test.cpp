@@ -54,6 +54,21 @@ TEST(Seams, edgesOfLabelsOnOneLineAreNone) {
   }
 }
 
+TEST(Seams, labelsOnBothSidesOfALineAreNone) {
+  for (std::uint64_t seed = 140; seed < 146; ++seed) {
+    Scene scene = simulation::recipeScene(test::sceneRecipe(0.0002, 1280, 800), seed, 0);
+    for (SceneBox& box : scene.boxes) {
+      const Eigen::Vector2d half = 0.5 * box.size_m.head<2>();
+      const double y = -0.2 * half.y();
+      const double turn = 0.42 * half.x();  // the longer label ends there
+      box.rgb = kCarton;
+      box.labels = {label({-0.98 * half.x(), y}, {turn, 0.9 * half.y()}, kWhite),
+                    label({turn, -0.9 * half.y()}, {0.98 * half.x(), y}, kWhite)};
+    }
+    expectSizes(scene, seed, 0.002);
+  }
+}
+
 TEST(Seams, aLabelAtTheBorderDoesNotHideIt) {
   for (std::uint64_t seed = 50; seed < 56; ++seed) {
     Scene scene = simulation::recipeScene(test::sceneRecipe(0.0002, 1280, 800), seed, 0);
