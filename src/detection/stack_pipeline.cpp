@@ -162,7 +162,8 @@ std::optional<Refusal> StackPipeline::judgeSolid(const PartFit& fit, const Found
         measured + text(", a strip %.1f times as long as wide of what goes on beyond its long side",
                         size.x() / size.y())};
   }
-  if ((found.box.flags & kHeightUnknown) == 0 && size.z() > kSlenderShare * size.y()) {
+  // A height that is not known is at least what the sides show.
+  if (size.z() > kSlenderShare * size.y()) {
     return Refusal{RejectReason::kTooLarge, measured + text(" and %.3f m high, %.1f times its width: a post",
                                                             size.z(), size.z() / size.y())};
   }
