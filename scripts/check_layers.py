@@ -14,7 +14,7 @@ CORE_ROOMS = {
     'geometry': ((), ('Eigen/',)),
     'detection': (('geometry',), ('Eigen/', 'pcl/', 'opencv2/')),
     'packing': (('geometry',), ()),
-    'planning': (('packing', 'geometry'), ('sqlite3.h', 'nlohmann/')),
+    'planning': (('packing', 'geometry'), ('sqlite3.h', 'nlohmann/', 'fcntl.h', 'sys/stat.h', 'unistd.h')),  # the journal's files
     'instances': (('packing', 'geometry'), ('nlohmann/',)),
     'simulation': (('geometry',), ('Eigen/', 'embree3/', 'assimp/', 'opencv2/', 'yaml-cpp/', 'nlohmann/')),
     'experiments': (('geometry', 'detection', 'packing', 'planning', 'instances', 'simulation'),

@@ -4,9 +4,18 @@
 #include <stdexcept>
 
 #include <mixed_palletizing/adapters/option_reader.hpp>
+#include <mixed_palletizing/simulation/yaml_text.hpp>
 
 namespace mixed_palletizing::adapters {
 namespace {
+
+// Longest texts in a message: a key or value may be as long as the file.
+constexpr std::size_t kMaxQuote = 80;
+constexpr std::size_t kMaxProblem = 2000;
+
+std::string shortened(const std::string& text, std::size_t length) {
+  return text.size() <= length ? text : text.substr(0, length) + "...";
+}
 
 /// Levenshtein distance, for the hint at a misspelt key.
 std::size_t editDistance(const std::string& a, const std::string& b) {
@@ -25,6 +34,7 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 }
 
 std::string hint(const std::string& key, const std::set<std::string>& known) {
+  if (key.size() > kMaxQuote) return "";
   const std::string* best = nullptr;
   std::size_t best_distance = std::max<std::size_t>(3, key.size() / 3 + 1);
   for (const std::string& candidate : known) {
@@ -51,7 +61,7 @@ std::string itemKey(const std::string& key, std::size_t i) { return key + "[" + 
 std::string textOf(const YAML::Node& node) {
   YAML::Emitter emitter;
   emitter << YAML::Flow << node;
-  return emitter.c_str();
+  return shortened(emitter.c_str(), kMaxQuote);
 }
 
 }  // namespace
@@ -184,15 +194,15 @@ void OptionReader::finish(const std::string& what) const {
   if (all.empty()) return;
   std::string text =
       what + ": " + std::to_string(all.size()) + (all.size() == 1 ? " mistake:" : " mistakes:");
-  for (const std::string& problem : all) text += "\n  " + problem;
+  const std::size_t told = std::min(all.size(), simulation::kMaxMistakes);
+  for (std::size_t i = 0; i < told; ++i) text += "\n  " + shortened(all[i], kMaxProblem);
+  if (told < all.size()) text += "\n  and " + std::to_string(all.size() - told) + " more";
   throw std::invalid_argument(text);
 }
 
 YAML::Node loadYaml(const std::string& path) {
   try {
-    return YAML::LoadFile(path);
-  } catch (const YAML::BadFile&) {
-    throw std::runtime_error(path + ": cannot be read");
+    return simulation::parseYamlText(simulation::readYamlText(path));
   } catch (const YAML::Exception& error) {
     throw std::runtime_error(path + ": " + error.what());
   }

@@ -3,11 +3,11 @@
 //                                  "weight/kg": .., "sequence": ..}, ..},
 //          "properties": {"target": "euro-pallet" or "rollcontainer", ..}}
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 
 #include <mixed_palletizing/instances/published_orders.hpp>
@@ -17,6 +17,7 @@
 namespace mixed_palletizing::instances {
 namespace {
 
+constexpr std::size_t kMaxFileBytes = 512U << 20U;
 constexpr double kMaxWeight = 1e6;  ///< [kg]
 
 /// The targets' sizes in the benchmark's own environment [mm].
@@ -25,9 +26,17 @@ const std::map<std::string, packing::Vec3> kTargets{{"euro-pallet", {1200, 800, 
 
 std::string wholeText(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf())) throw std::runtime_error(path + ": cannot be read or is empty");
-  return text.str();
+  std::string text;
+  std::array<char, 1U << 16U> part{};
+  while (in && text.size() <= kMaxFileBytes) {
+    in.read(part.data(), part.size());
+    text.append(part.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  if (text.empty()) throw std::runtime_error(path + ": cannot be read or is empty");
+  if (text.size() > kMaxFileBytes) {
+    throw std::runtime_error(path + ": has more than " + std::to_string(kMaxFileBytes) + " bytes");
+  }
+  return text;
 }
 
 int lineOf(const std::string& text, const std::string& key) {

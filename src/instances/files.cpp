@@ -11,6 +11,7 @@ namespace mixed_palletizing::instances {
 namespace {
 
 constexpr std::size_t kMaxJoined = 10;
+constexpr std::size_t kMaxFault = 1000;  ///< of one: a name may be as long as the file
 
 std::string resultName(const Json& line) {
   if (line.is_object() && line.contains("name") && line["name"].is_string()) return line["name"];
@@ -27,7 +28,10 @@ std::vector<Instance> wholeFile(File file) {
 
 std::string joinFaults(const std::vector<std::string>& faults) {
   std::string text;
-  for (std::size_t i = 0; i < faults.size() && i < kMaxJoined; ++i) text += (i > 0 ? "; " : "") + faults[i];
+  for (std::size_t i = 0; i < faults.size() && i < kMaxJoined; ++i) {
+    text +=
+        (i > 0 ? "; " : "") + faults[i].substr(0, kMaxFault) + (faults[i].size() > kMaxFault ? "..." : "");
+  }
   if (faults.size() > kMaxJoined) text += "; and " + std::to_string(faults.size() - kMaxJoined) + " more";
   return text;
 }

@@ -34,9 +34,13 @@ std::string range(int min, int max) {
 
 Json parseStrictJson(const std::string& text) {
   std::vector<std::set<std::string>> keys;
-  const auto watch = [&keys](int depth, Json::parse_event_t event, Json& value) {
+  int values = 0;
+  const auto watch = [&keys, &values](int depth, Json::parse_event_t event, Json& value) {
     if (depth >= kMaxJsonDepth) {
       throw std::invalid_argument("more than " + std::to_string(kMaxJsonDepth) + " levels of JSON");
+    }
+    if (++values > kMaxJsonValues) {
+      throw std::invalid_argument("more than " + std::to_string(kMaxJsonValues) + " values of JSON");
     }
     if (event == Json::parse_event_t::object_start) keys.emplace_back();
     if (event == Json::parse_event_t::object_end && !keys.empty()) keys.pop_back();

@@ -15,9 +15,11 @@ namespace mixed_palletizing::instances {
 
 using Json = nlohmann::json;
 
-/// Parses one JSON text of at most kMaxJsonDepth levels in which no object has a key twice. Throws
-/// std::invalid_argument.
 constexpr int kMaxJsonDepth = 8;
+constexpr int kMaxJsonValues = 20000000;  ///< keys and ends of lists and objects count too
+
+/// Parses one JSON text of at most kMaxJsonDepth levels and kMaxJsonValues in which no object has a key twice. Throws
+/// std::invalid_argument.
 Json parseStrictJson(const std::string& text);
 
 /// A view of one object; faults are appended to `faults` as "where.key: what".

@@ -7,14 +7,16 @@
 namespace mixed_palletizing::instances {
 namespace {
 
-/// The next line without its end, cut at kMaxLineBytes + 1 so that a file without line ends fills no memory.
+/// The next line without its end, cut at kMaxLineBytes + 1 so that a file without line ends fills no memory, nor is
+/// read for ever.
 bool nextLine(std::istream& in, std::string& line) {
   line.clear();
   std::streambuf& buffer = *in.rdbuf();
   int c = buffer.sbumpc();
   if (c == std::char_traits<char>::eof()) return false;
   for (; c != std::char_traits<char>::eof() && c != '\n'; c = buffer.sbumpc()) {
-    if (line.size() <= kMaxLineBytes) line.push_back(static_cast<char>(c));
+    line.push_back(static_cast<char>(c));
+    if (line.size() > kMaxLineBytes) return true;
   }
   if (!line.empty() && line.back() == '\r') line.pop_back();
   return true;
@@ -30,10 +32,11 @@ void forEachLine(const std::string& path, std::vector<std::string>& faults,
     throw std::runtime_error(path + ": cannot be read or is empty");
   }
   std::string line;
-  for (int number = 1; nextLine(in, line); ++number) {
+  for (int number = 1; in && nextLine(in, line); ++number) {
     std::vector<std::string> line_faults;
     if (line.size() > kMaxLineBytes) {
-      line_faults.push_back("longer than " + std::to_string(kMaxLineBytes) + " bytes");
+      line_faults.push_back("longer than " + std::to_string(kMaxLineBytes) + " bytes: nothing more is read");
+      in.setstate(std::ios::failbit);
     } else if (line.find_first_not_of(" \t") != std::string::npos) {
       try {
         read(line, number, line_faults);

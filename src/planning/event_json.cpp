@@ -92,7 +92,8 @@ std::vector<PickOption> optionsFrom(const json& j, const std::vector<int>& avail
   std::map<int, std::size_t> index_of_type;
   for (const int type : available) {
     const std::size_t index = index_of_type.emplace(type, index_of_type.size()).first->second;
-    options.push_back(read.at(index));
+    if (index >= read.size()) throw std::invalid_argument("options: fewer than types");
+    options.push_back(read[index]);
   }
   return options;
 }
@@ -202,6 +203,14 @@ std::string kindOf(const SessionEvent& event) {
 
 nlohmann::json toJson(const SessionEvent& event) {
   return std::visit([](const auto& e) { return body(e); }, event);
+}
+
+nlohmann::json parseEvent(const std::string& text) {
+  const auto watch = [](int depth, json::parse_event_t, json&) {
+    if (depth <= kMaxEventDepth) return true;
+    throw std::invalid_argument("more than " + std::to_string(kMaxEventDepth) + " levels of JSON");
+  };
+  return json::parse(text, watch);
 }
 
 SessionEvent eventFromJson(const std::string& kind, const nlohmann::json& j) {

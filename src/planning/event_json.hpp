@@ -14,6 +14,11 @@ std::string kindOf(const SessionEvent& event);
 
 nlohmann::json toJson(const SessionEvent& event);
 
+constexpr int kMaxEventDepth = 16;
+
+/// The JSON of an event's text. Throws nlohmann's exceptions, and std::invalid_argument beyond kMaxEventDepth.
+nlohmann::json parseEvent(const std::string& text);
+
 /// Throws std::invalid_argument or nlohmann's exceptions for what toJson() did not make.
 SessionEvent eventFromJson(const std::string& kind, const nlohmann::json& body);
 

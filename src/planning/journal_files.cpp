@@ -4,8 +4,13 @@
 #include "journal_files.hpp"
 
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <mixed_palletizing/planning/journal_error.hpp>
 
@@ -112,10 +117,16 @@ void makePrivateFile(const std::string& path) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::absolute(path).parent_path();
   if (fs::create_directories(folder)) fs::permissions(folder, fs::perms::owner_all);
-  if (fs::exists(path)) return;
-  std::ofstream file(path, std::ios::app);
-  if (!file) throw JournalError(path + ": cannot be made");
-  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
+  // Private from its first moment, whatever the umask; SQLite gives the files beside it the same rights.
+  const int file = ::open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  if (file >= 0) {
+    ::close(file);
+  } else if (errno == EEXIST) {
+    std::error_code not_ours;  // a copy that was brought back
+    fs::permissions(path, fs::perms::group_all | fs::perms::others_all, fs::perm_options::remove, not_ours);
+  } else {
+    throw JournalError(path + ": cannot be made: " + std::strerror(errno));
+  }
 }
 
 JournalLock::JournalLock(const std::string& journal_path) : path_(journal_path + ".lock") {

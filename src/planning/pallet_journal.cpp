@@ -19,7 +19,7 @@ JournalEntry entryOf(const JournalRow& row) {
   entry.revision = static_cast<std::uint64_t>(row.revision);
   entry.next_decision_id = static_cast<std::uint64_t>(row.next_decision);
   entry.time = row.time;
-  entry.event = eventFromJson(row.kind, nlohmann::json::parse(row.body));
+  entry.event = eventFromJson(row.kind, parseEvent(row.body));
   return entry;
 }
 
@@ -164,6 +164,8 @@ std::vector<JournalEntry> readJournal(const std::string& path) {
   } catch (const SqliteError& error) {
     throwFaultOf(path, error);
   } catch (const nlohmann::json::exception& error) {
+    throwDamaged(path, error.what());
+  } catch (const std::invalid_argument& error) {
     throwDamaged(path, error.what());
   }
   return entries;

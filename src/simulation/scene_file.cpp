@@ -1,10 +1,7 @@
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include <mixed_palletizing/simulation/scene_file.hpp>
+#include <mixed_palletizing/simulation/yaml_text.hpp>
 
 #include "scene_sections.hpp"
 #include "scene_setting.hpp"
@@ -58,13 +55,9 @@ void readSetting(YamlSection& file, bool with_camera_pose, Scene& scene) {
 }
 
 YAML::Node parseYaml(const std::string& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();  // an empty file is a sound one
-  if (!file.is_open() || file.bad())
-    throw std::runtime_error(path + ": cannot read: " + std::strerror(errno));
+  const std::string text = readYamlText(path);
   try {
-    return YAML::Load(text.str());
+    return parseYamlText(text);
   } catch (const YAML::ParserException& error) {
     throw std::invalid_argument(path + ":" + std::to_string(error.mark.line + 1) + ": no YAML: " + error.msg);
   }

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include <mixed_palletizing/simulation/yaml_text.hpp>
+
 namespace mixed_palletizing::simulation {
 namespace {
 
@@ -15,13 +17,19 @@ std::string parentOf(const std::string& key) {
   return end == std::string::npos ? std::string() : key.substr(0, end);
 }
 
+/// A key or value of a file may be as long as the file.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kMax = 300;
+  return text.size() <= kMax ? text : text.substr(0, kMax) + "...";
+}
+
 }  // namespace
 
 void YamlReport::add(const std::string& key, const std::string& what) {
   std::string known = key;
   while (!known.empty() && lines_.count(known) == 0) known = parentOf(known);
   const auto line = lines_.find(known);
-  mistakes_.emplace(line == lines_.end() ? 1 : line->second, key + ": " + what);
+  mistakes_.emplace(line == lines_.end() ? 1 : line->second, shortened(key) + ": " + shortened(what));
 }
 
 std::string YamlReport::pathOf(const std::string& name) const {
@@ -31,8 +39,14 @@ std::string YamlReport::pathOf(const std::string& name) const {
 void YamlReport::throwIfAny() const {
   if (mistakes_.empty()) return;
   std::string text;
+  std::size_t left = mistakes_.size();
   for (const auto& [line, mistake] : mistakes_) {
+    if (mistakes_.size() - left == kMaxMistakes) {
+      text += "\nand " + std::to_string(left) + " more";
+      break;
+    }
     text += (text.empty() ? "" : "\n") + path_ + ":" + std::to_string(line) + ": " + mistake;
+    --left;
   }
   throw std::invalid_argument(text);
 }

@@ -16,7 +16,12 @@ namespace planning = mixed_palletizing::planning;
 
 /// [[kind, body], ...], as the rows of a journal have them.
 void applyEvents(const std::uint8_t* data, std::size_t size) {
-  const nlohmann::json rows = nlohmann::json::parse(data, data + size, nullptr, false);
+  nlohmann::json rows;
+  try {
+    rows = planning::parseEvent({reinterpret_cast<const char*>(data), size});
+  } catch (const std::invalid_argument&) {
+  } catch (const nlohmann::json::exception&) {
+  }
   if (!rows.is_array()) return;
   planning::SessionState state;
   for (const nlohmann::json& row : rows) {

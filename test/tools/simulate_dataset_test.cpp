@@ -92,7 +92,7 @@ TEST_F(SimulateDataset, BadInputIsOneClearLine) {
   expectOneClearLine(recipe + out + "--count 1 --layout xyzw", "'xyzw' is none of xyz,");
   expectOneClearLine(recipe + out + "--count 1 --cloud pdf", "--cloud must be one of pcd, ply");
   expectOneClearLine(recipe + "--out /proc/none --count 1", "/proc/none: cannot make the folder");
-  expectOneClearLine("--recipe " + path("none.yaml") + " " + out + "--count 1", "none.yaml: cannot read");
+  expectOneClearLine("--recipe " + path("none.yaml") + " " + out + "--count 1", "none.yaml: cannot be read");
   std::ofstream(path("bad.yaml")) << "view:\n  distance: 3\n";
   expectOneClearLine("--recipe " + path("bad.yaml") + " " + out + "--count 1",
                      "bad.yaml:2: view.distance: is no");

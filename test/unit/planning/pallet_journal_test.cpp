@@ -9,7 +9,6 @@
 #include <thread>
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -85,20 +84,6 @@ TEST_F(Journal, aSecondPlannerIsRefused) {
   } catch (const JournalError& error) {
     EXPECT_NE(std::string(error.what()).find("another planner"), std::string::npos) << error.what();
   }
-}
-
-TEST_F(Journal, onlyItsUserCanReadIt) {
-  std::mt19937_64 rng(92);
-  Recorded recorded(path_);
-  for (int i = 0; i < 5; ++i) act(recorded.session, rng);
-  int files = 0;
-  for (const auto& entry : fs::directory_iterator(fs::path(path_).parent_path())) {
-    struct stat status {};
-    ASSERT_EQ(::stat(entry.path().c_str(), &status), 0);
-    EXPECT_EQ(status.st_mode & 0077U, 0U) << entry.path();
-    ++files;
-  }
-  EXPECT_GE(files, 2);
 }
 
 TEST_F(Journal, keepsTheLastPalletsOnly) {

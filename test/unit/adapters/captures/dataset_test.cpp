@@ -158,7 +158,7 @@ TEST_F(Dataset, NamesWhatIsWrong) {
   EXPECT_NE(errorOf(wrong).find("count: 0 is not in"), std::string::npos);
   wrong = options("a");
   wrong.recipe = path("none.yaml");
-  EXPECT_NE(errorOf(wrong).find("none.yaml: cannot read"), std::string::npos);
+  EXPECT_NE(errorOf(wrong).find("none.yaml: cannot be read"), std::string::npos);
   write("r.yaml", "groups: 3\n");
   EXPECT_NE(errorOf(options("a")).find("r.yaml:1: groups: is no list"), std::string::npos);
   EXPECT_FALSE(fs::exists(path("a")));
