@@ -66,6 +66,8 @@ check experiment_modules /usr/bin/python3 "$root/test/tools/test_experiment_modu
 check run_experiments /usr/bin/python3 "$root/test/tools/test_run_experiments.py"
 check clang_format formatted
 check journal_damage "$workspace/devel/lib/mixed_palletizing/journal_damage" --cut-step 500 --flips 500 --draws 1
+check invariants "$workspace/devel/lib/mixed_palletizing/invariants" --placements 20000 --seeds 20 --deviations 1000
+check out_of_memory "$workspace/devel/lib/mixed_palletizing/out_of_memory" --tries 20
 check catkin_lint linted
 
 say "unit tests"

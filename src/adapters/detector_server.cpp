@@ -53,9 +53,8 @@ DetectorServer::DetectorServer(const ros::NodeHandle& private_node)
                             static_cast<std::uint32_t>(options_.queue_size), &DetectorServer::onCloud, this);
   detect_service_ = service_node_.advertiseService(names::kDetect, &DetectorServer::onDetect, this);
   calibrate_service_ = service_node_.advertiseService(names::kCalibrate, &DetectorServer::onCalibrate, this);
-  diagnostics_timer_ =
-      service_node_.createSteadyTimer(ros::WallDuration(kDiagnosticsPeriodS),
-                                      [this](const ros::SteadyTimerEvent&) { diagnostics_->update(); });
+  diagnostics_timer_ = service_node_.createSteadyTimer(
+      ros::WallDuration(kDiagnosticsPeriodS), [this](const ros::SteadyTimerEvent&) { reportDiagnostics(); });
   tuning_ = std::make_unique<DetectionTuning>(
       onQueue(ros::NodeHandle(private_node, names::kTuning), &service_queue_), options_.detection,
       [this](const detection::DetectionOptions& options) { useOptions(options); });
@@ -89,7 +88,23 @@ void DetectorServer::onCloud(const sensor_msgs::PointCloud2ConstPtr& message) {
     if (options_.calibrate_on_start && !base_frame_.calibrated()) calibrateWith(cloud);
     if (outputs_->wanted()) process(cloud);
   } catch (const std::exception& error) {
-    drops_.count("fault", error.what());
+    countFault(error);
+  }
+}
+
+/// Out of memory it may be that even this cannot be told.
+void DetectorServer::countFault(const std::exception& fault) noexcept {
+  try {
+    drops_.count("fault", fault.what());
+  } catch (const std::exception&) {
+  }
+}
+
+void DetectorServer::reportDiagnostics() {
+  try {
+    diagnostics_->update();
+  } catch (const std::exception& error) {
+    countFault(error);
   }
 }
 
@@ -103,7 +118,7 @@ DetectorServer::Processed DetectorServer::process(const AcceptedCloud& cloud) {
   } catch (const std::exception& error) {
     result.status = DetectBoxesResponse::FAILED;
     result.message = error.what();
-    drops_.count("fault", error.what());
+    countFault(error);
   }
   processed_sequence_ = cloud.sequence;
   processed_ = result;

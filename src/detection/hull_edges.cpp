@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <numeric>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -36,9 +38,15 @@ geometry::Polygon convexHull(const std::vector<Eigen::Vector2d>& points) {
   for (const Eigen::Vector2d& p : points) {
     cloud->push_back(pcl::PointXYZ(static_cast<float>(p.x()), static_cast<float>(p.y()), 0.0f));
   }
+  // All points: left to find that out, PCL answers with an empty hull when memory runs out.
+  const pcl::IndicesPtr all(new pcl::IndicesPtr::element_type(points.size()));
+  std::iota(all->begin(), all->end(), 0);
   const QuietPcl quiet;
+  static std::mutex qhull_mutex;  // PCL 1.10 calls the qhull that has its state in global variables
+  const std::lock_guard<std::mutex> lock(qhull_mutex);
   pcl::ConvexHull<pcl::PointXYZ> quickhull;
   quickhull.setInputCloud(cloud);
+  quickhull.setIndices(all);
   quickhull.setDimension(2);
   pcl::PointCloud<pcl::PointXYZ> corners;
   quickhull.reconstruct(corners);

@@ -9,7 +9,7 @@
 
 #include <mixed_palletizing/adapters/order_files.hpp>
 #include <mixed_palletizing/instances/result_summary.hpp>
-#include <mixed_palletizing/planning/in_parallel.hpp>
+#include <mixed_palletizing/packing/in_parallel.hpp>
 #include <mixed_palletizing/planning/play_arrivals.hpp>
 
 namespace instances = mixed_palletizing::instances;
@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
     std::vector<std::optional<planning::PlayResult>> plays(file.instances.size());
     std::size_t written = 0;
     std::mutex mutex;
-    planning::inParallel(plays.size(), threads, [&](std::size_t, std::size_t i) {
+    packing::inParallel(plays.size(), threads, [&](std::size_t, std::size_t i) {
       const instances::Instance& instance = file.instances[i];
       planning::PlayOptions mine = options;
       mine.n_pick = instance.n_pick;

@@ -11,8 +11,8 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
-#include <thread>
 
+#include <mixed_palletizing/packing/in_parallel.hpp>
 #include <mixed_palletizing/packing/key_genetic_search.hpp>
 #include <mixed_palletizing/packing/random.hpp>
 
@@ -130,16 +130,9 @@ class KeyGeneticSearch {
   }
 
   void evaluateBatch(std::vector<Chromosome*>& batch) {
-    const std::size_t threads = std::min(static_cast<std::size_t>(options_.threads), batch.size());
-    const auto work = [&](std::size_t first) {
-      for (std::size_t i = first; i < batch.size(); i += threads) {
-        batch[i]->fitness = decoder_.packed(batch[i]->keys).packedVolume();
-      }
-    };
-    std::vector<std::thread> helpers;
-    for (std::size_t t = 1; t < threads; ++t) helpers.emplace_back(work, t);
-    if (threads > 0) work(0);
-    for (std::thread& helper : helpers) helper.join();
+    inParallel(batch.size(), options_.threads, [&](std::size_t, std::size_t i) {
+      batch[i]->fitness = decoder_.packed(batch[i]->keys).packedVolume();
+    });
     batch.clear();
   }
 

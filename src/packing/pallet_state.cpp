@@ -59,6 +59,13 @@ bool PalletState::accepts(const Placement& placement) const {
   return stands && (!loads_.active() || loads_.carries(placements_, placement));
 }
 
+/// Supported spaces keep clear of all that rises above their base, and with full support rest on it wholly.
+bool PalletState::acceptsInSpace(const Placement& placement) const {
+  if (kind_ != SpaceKind::kSupported) return accepts(placement);
+  if (!full_support_ && !isSupported(rules_, placements_, placement)) return false;
+  return !loads_.active() || loads_.carries(placements_, placement);
+}
+
 void PalletState::place(const Placement& placement) {
   if (!accepts(placement)) throw std::invalid_argument("PalletState::place: " + whyNot(placement));
   placements_.push_back(placement);

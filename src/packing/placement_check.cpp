@@ -137,6 +137,10 @@ bool keepsRules(const PalletRules& rules, const std::vector<Placement>& placed, 
     if (other.origin.z + other.size.z > placement.origin.z && footprintOf(other).overlaps(shaft))
       return false;
   }
+  return isSupported(rules, placed, placement);
+}
+
+bool isSupported(const PalletRules& rules, const std::vector<Placement>& placed, const Placement& placement) {
   const Support support = supportOf(rules, placed, placement);
   return support.reaches(rules.min_support_ratio) && support.center_over;
 }

@@ -15,4 +15,7 @@ std::string brokenRule(const PalletRules& rules, const std::vector<Placement>& p
 /// Whether it breaks none, without the words.
 bool keepsRules(const PalletRules& rules, const std::vector<Placement>& placed, const Placement& placement);
 
+/// Of these only those of the support: share and centre.
+bool isSupported(const PalletRules& rules, const std::vector<Placement>& placed, const Placement& placement);
+
 }  // namespace mixed_palletizing::packing

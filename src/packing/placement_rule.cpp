@@ -9,24 +9,12 @@
 
 #include <mixed_palletizing/packing/placement_rule.hpp>
 
-#include "level_spaces.hpp"
+#include "judged_places.hpp"
 #include "scored_rules.hpp"
 
 namespace mixed_palletizing::packing {
 
 namespace {
-
-bool fits(const Vec3& size, const Space& space) {
-  return size.x <= space.max.x - space.min.x && size.y <= space.max.y - space.min.y &&
-         size.z <= space.max.z - space.min.z;
-}
-
-auto dblfKey(const Vec3& origin) { return std::make_tuple(origin.z, origin.y, origin.x); }
-
-std::int64_t squaredDistance(const Vec3& p) {
-  const auto square = [](int v) { return static_cast<std::int64_t>(v) * v; };
-  return square(p.x) + square(p.y) + square(p.z);
-}
 
 /// The first size that fits at the corner of spaces[first], among all spaces with that corner.
 const Vec3* sizeAtCorner(const std::vector<Space>& spaces, std::size_t first,
@@ -60,65 +48,18 @@ std::optional<Placement> nearest(const std::vector<Space>& spaces, const std::ve
   return best;
 }
 
-/// Starts along one axis in [low, high - length]: the corner first, then flush with the edges of tops.
-void addStarts(int low, int high, int length, int top_begin, int top_end, std::vector<int>& starts) {
-  for (const int start : {low, top_begin, top_end - length, high - length}) {
-    if (start >= low && start <= high - length) starts.push_back(start);
-  }
-}
-
-void sortUnique(std::vector<int>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
-/// Positions to be judged of one size in one space where not every place keeps the rules.
-void addTries(const PalletState& state, const Space& space, const Vec3& size, int type,
-              std::vector<Placement>& tries) {
-  if (!fits(size, space)) return;
-  std::vector<int> xs{space.min.x};
-  std::vector<int> ys{space.min.y};
-  const Rect base{space.min.x, space.min.y, space.max.x, space.max.y};
-  if (space.min.z == 0 && state.rules().overhang > 0) {
-    addStarts(base.x0, base.x1, size.x, 0, state.rules().size.x, xs);
-    addStarts(base.y0, base.y1, size.y, 0, state.rules().size.y, ys);
-  }
-  for (const Placement& below : state.placements()) {
-    const Rect top = footprintOf(below);
-    if (below.origin.z + below.size.z != space.min.z || !top.overlaps(base)) continue;
-    addStarts(base.x0, base.x1, size.x, top.x0, top.x1, xs);
-    addStarts(base.y0, base.y1, size.y, top.y0, top.y1, ys);
-  }
-  sortUnique(xs);
-  sortUnique(ys);
-  for (const int y : ys) {
-    for (const int x : xs) tries.push_back({type, {x, y, space.min.z}, size});
-  }
-}
-
-/// At the corners of the spaces; without fullSupport() some may break a rule.
-std::vector<Placement> allTries(const PalletState& state, const std::vector<Vec3>& sizes, int type) {
-  std::vector<Placement> tries;
-  if (!state.carriesWeightOf(type)) return tries;
-  for (const Space& space : state.spaces()) {
-    for (const Vec3& size : sizes) {
-      if (!state.fullSupport()) {
-        addTries(state, space, size, type, tries);
-      } else if (fits(size, space)) {
-        tries.push_back({type, space.min, size});
-      }
-    }
-  }
-  return tries;
-}
-
-/// Those not yet judged when `stop` says so are left out.
+/// At the corners of the spaces, each as often as spaces offer it; without fullSupport() as far as the rules allow. Those
+/// not yet judged when `stop` says so are left out.
 std::vector<Placement> allPlacements(const PalletState& state, const std::vector<Vec3>& sizes, int type,
                                      const std::function<bool()>& stop = {}) {
-  std::vector<Placement> placements = allTries(state, sizes, type);
-  if (state.fullSupport()) return placements;
-  const auto refused = [&](const Placement& p) { return (stop && stop()) || !state.accepts(p); };
-  placements.erase(std::remove_if(placements.begin(), placements.end(), refused), placements.end());
+  if (!state.carriesWeightOf(type)) return {};
+  if (!state.fullSupport()) return judgedPlacements(state, sizes, type, stop);
+  std::vector<Placement> placements;
+  for (const Space& space : state.spaces()) {
+    for (const Vec3& size : sizes) {
+      if (fits(size, space)) placements.push_back({type, space.min, size});
+    }
+  }
   return placements;
 }
 
@@ -128,34 +69,6 @@ std::optional<Placement> bestScored(const PalletState& state, const std::vector<
   const Placement* best =
       rule == PlacementRule::kContact ? mostTouching(state, placements) : bestFitting(state, placements);
   return best == nullptr ? std::nullopt : std::make_optional(*best);
-}
-
-/// By kDblf or kDistance, where places must be judged: few of them, in the order of the rule.
-std::optional<Placement> firstAccepted(const PalletState& state, std::vector<Placement> tries,
-                                       PlacementRule rule) {
-  const auto before = [rule](const Placement& a, const Placement& b) {
-    const std::int64_t distance_a = rule == PlacementRule::kDistance ? squaredDistance(a.origin) : 0;
-    const std::int64_t distance_b = rule == PlacementRule::kDistance ? squaredDistance(b.origin) : 0;
-    return std::make_tuple(distance_a, dblfKey(a.origin)) < std::make_tuple(distance_b, dblfKey(b.origin));
-  };
-  std::stable_sort(tries.begin(), tries.end(), before);
-  const auto first =
-      std::find_if(tries.begin(), tries.end(), [&](const Placement& p) { return state.accepts(p); });
-  return first == tries.end() ? std::nullopt : std::make_optional(*first);
-}
-
-/// By kDblf, where places must be judged: level by level, as most of the higher ones are never looked at.
-std::optional<Placement> deepestAccepted(const PalletState& state, const std::vector<Vec3>& sizes, int type) {
-  const std::vector<Space>& spaces = state.spaces();  // ordered by height first
-  for (std::size_t first = 0; first < spaces.size();) {
-    std::vector<Placement> tries;
-    const int level = spaces[first].min.z;
-    for (; first < spaces.size() && spaces[first].min.z == level; ++first) {
-      for (const Vec3& size : sizes) addTries(state, spaces[first], size, type, tries);
-    }
-    if (auto found = firstAccepted(state, std::move(tries), PlacementRule::kDblf)) return found;
-  }
-  return std::nullopt;
 }
 
 void checkItem(const std::vector<Vec3>& sizes, int type, const char* function) {
@@ -187,7 +100,8 @@ std::optional<Placement> findPlacement(const PalletState& state, const ItemType&
 }
 
 std::optional<Placement> findPlacement(const PalletState& state, const std::vector<Vec3>& sizes,
-                                       int type_index, PlacementRule rule) {
+                                       int type_index, PlacementRule rule,
+                                       const std::function<bool()>& stop) {
   checkItem(sizes, type_index, "findPlacement");
   if (!state.carriesWeightOf(type_index)) return std::nullopt;
   if (rule == PlacementRule::kContact || rule == PlacementRule::kBestFit) {
@@ -196,8 +110,10 @@ std::optional<Placement> findPlacement(const PalletState& state, const std::vect
         state, anywhere ? allCorners(state, sizes, type_index) : allPlacements(state, sizes, type_index),
         rule);
   }
-  if (!state.fullSupport() && rule == PlacementRule::kDblf) return deepestAccepted(state, sizes, type_index);
-  if (!state.fullSupport()) return firstAccepted(state, allTries(state, sizes, type_index), rule);
+  if (!state.fullSupport() && rule == PlacementRule::kDblf) {
+    return deepestJudged(state, sizes, type_index, stop);
+  }
+  if (!state.fullSupport()) return nearestJudged(state, sizes, type_index, stop);
   return rule == PlacementRule::kDblf ? deepest(state.spaces(), sizes, type_index)
                                       : nearest(state.spaces(), sizes, type_index);
 }

@@ -1,8 +1,8 @@
 #include "strongest_search.hpp"
 
 #include <algorithm>
-#include <thread>
 
+#include <mixed_palletizing/packing/in_parallel.hpp>
 namespace mixed_palletizing::packing {
 
 namespace {
@@ -74,9 +74,7 @@ void StrongestSearch::randomKeyRound(int round) {
 
 void StrongestSearch::blockRounds(int round, std::size_t width) {
   if (options_.threads > 1) {
-    std::thread second([&] { playBlocks(1, 1, width); });
-    playBlocks(0, 0, width);
-    second.join();
+    inParallel(2, 2, [&](std::size_t, std::size_t player) { playBlocks(player, player, width); });
   } else {
     const std::size_t leader = order_volumes_[1] > order_volumes_[0] ? 1 : 0;
     playBlocks(0, leader, width);

@@ -15,14 +15,16 @@
 namespace mixed_palletizing::planning {
 namespace {
 
-/// The place the rule gives an item among those that the gripper reaches.
+/// The place the rule gives an item among those that the gripper reaches, as far as `stop` lets it look.
 std::optional<packing::Placement> findReachable(const packing::PalletState& pallet,
                                                 const packing::ItemType& item, int type,
-                                                packing::PlacementRule rule, const GripperEnvelope& gripper) {
-  const auto found = packing::findPlacement(pallet, item, type, rule);
+                                                packing::PlacementRule rule, const GripperEnvelope& gripper,
+                                                const packing::StopCallback& stop) {
+  const std::vector<packing::Vec3> sizes = packing::orientations(item);
+  const auto found = packing::findPlacement(pallet, sizes, type, rule, stop);
   if (!found || clears(gripper, pallet, *found)) return found;
   std::vector<packing::Placement> placements;
-  placementsOf(pallet, packing::orientations(item), type, Trials::kThorough, gripper, placements);
+  placementsOf(pallet, sizes, type, Trials::kThorough, gripper, placements, stop);
   const auto key = [](const packing::Placement& p) {
     return std::make_tuple(p.origin.z, p.origin.y, p.origin.x);
   };
@@ -45,17 +47,18 @@ Decision feasibleOptions(const Situation& situation, const PlannerOptions& optio
     const int type = situation.available[i];
     const packing::ItemType& item = situation.types[static_cast<std::size_t>(type)];
     PickOption option;
-    if (any && stop && stop()) {
-      option.looked_at = false;
-      option.reason = "not looked at: the time was up";
-      decision.options.push_back(std::move(option));
-      continue;
-    }
-    if (const auto placement =
-            findReachable(situation.pallet, item, type, options.genetic.rule, options.gripper)) {
+    const packing::StopCallback may_stop = any ? stop : packing::StopCallback();
+    const auto time_is_up = [&may_stop] { return may_stop && may_stop(); };
+    const auto placement = time_is_up() ? std::nullopt
+                                        : findReachable(situation.pallet, item, type, options.genetic.rule,
+                                                        options.gripper, may_stop);
+    if (placement) {
       option.feasible = true;
       option.placement = *placement;
       any = true;
+    } else if (time_is_up()) {
+      option.looked_at = false;
+      option.reason = "not looked at: the time was up";
     } else {
       option.reason = whyNowhere(situation.pallet, item, type);
     }

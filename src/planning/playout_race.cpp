@@ -6,8 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include <mixed_palletizing/packing/in_parallel.hpp>
 #include <mixed_palletizing/packing/random.hpp>
-#include <mixed_palletizing/planning/in_parallel.hpp>
 
 #include "future_value.hpp"
 
@@ -150,7 +150,7 @@ bool PlayoutRace::playUntil(std::size_t rounds, const packing::StopCallback& sto
   for (std::size_t future = done; future < rounds; ++future) arrivals.push_back(arrivalOf(future));
   std::vector<std::optional<PlayoutEnd>> ends(arrivals.size() * players.size());
   std::atomic<bool> stopped{false};
-  inParallel(ends.size(), static_cast<int>(engines_.size()), [&](std::size_t worker, std::size_t i) {
+  packing::inParallel(ends.size(), static_cast<int>(engines_.size()), [&](std::size_t worker, std::size_t i) {
     if (stopped) return;
     const Runner& runner = runners_[players[i % players.size()]];
     ends[i] = engines_[worker].play(runner.start, arrivals[i / players.size()], stop);

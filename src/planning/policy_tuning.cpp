@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <mixed_palletizing/packing/in_parallel.hpp>
 #include <mixed_palletizing/packing/random.hpp>
-#include <mixed_palletizing/planning/in_parallel.hpp>
 #include <mixed_palletizing/planning/playout.hpp>
 #include <mixed_palletizing/planning/policy_tuning.hpp>
 
@@ -92,8 +92,9 @@ PolicyWeights tunePolicy(const TuningOptions& options, const TuningOrders& order
     std::vector<Tried> tried(static_cast<std::size_t>(options.population));
     tried.front().weights = mean;
     for (std::size_t i = 1; i < tried.size(); ++i) tried[i].weights = drawn(mean, deviation, random);
-    inParallel(tried.size(), options.threads,
-               [&](std::size_t, std::size_t i) { tried[i].score = playPolicy(sample, tried[i].weights); });
+    packing::inParallel(tried.size(), options.threads, [&](std::size_t, std::size_t i) {
+      tried[i].score = playPolicy(sample, tried[i].weights);
+    });
     TuningReport now{iteration, tried.front().score, 0.0};
     std::stable_sort(tried.begin(), tried.end(),
                      [](const Tried& a, const Tried& b) { return a.score.value > b.score.value; });

@@ -21,7 +21,7 @@ std::optional<packing::Placement> atSoundCorner(const packing::PalletState& pall
   for (const int y : {space.min.y, space.max.y - size.y}) {
     for (const int x : {space.min.x, space.max.x - size.x}) {
       const packing::Placement placement{type, {x, y, space.min.z}, size};
-      if (pallet.accepts(placement)) return placement;
+      if (pallet.acceptsInSpace(placement)) return placement;
     }
   }
   return std::nullopt;

@@ -22,7 +22,11 @@ void forEachRow(int rows, int threads, const std::function<void(int)>& work) {
     }
   };
   std::vector<std::thread> others;
-  for (int i = 1; i < threads; ++i) others.emplace_back(run);
+  try {
+    for (int i = 1; i < threads; ++i) others.emplace_back(run);
+  } catch (const std::exception&) {
+    // No memory or no thread to be had: those there are do the work.
+  }
   run();
   for (std::thread& thread : others) thread.join();
   if (failure) std::rethrow_exception(failure);

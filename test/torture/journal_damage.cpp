@@ -8,6 +8,7 @@
 #include <mixed_palletizing/adapters/command_line.hpp>
 
 #include "journal_torture.hpp"
+#include "tally.hpp"
 
 namespace torture = mixed_palletizing::torture;
 
@@ -18,11 +19,7 @@ int print(const std::string& test, const torture::Tally& tally) {
   std::printf("%s: %d tried, %d recovered, %d refused, %d lost, slowest opening %.3f s\n", test.c_str(),
               tally.tried, tally.recovered, tally.refused, tally.lost, tally.slowest_s);
   if (tally.lost > 0) std::printf("first lost: %s\n", tally.first_lost.c_str());
-  std::printf(
-      "ROW {\"test\": \"%s\", \"tried\": %d, \"survived\": %d, \"lost\": %d, \"p99_s\": null, \"slowest_s\": "
-      "%.3f}\n",
-      test.c_str(), tally.tried, tally.tried - tally.lost, tally.lost, tally.slowest_s);
-  std::fflush(stdout);
+  torture::printRow(test, tally.tried, tally.lost, tally.slowest_s);
   return tally.lost > 0 ? 1 : 0;
 }
 

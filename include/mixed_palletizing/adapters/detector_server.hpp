@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -55,6 +56,10 @@ class DetectorServer {
 
   /// One of the first clouds, when nobody calibrated yet and the node may do so itself.
   void calibrateWith(const AcceptedCloud& cloud);
+
+  /// The callbacks throw nothing: whoever called them would end the whole process.
+  void countFault(const std::exception& fault) noexcept;
+  void reportDiagnostics();
 
   Processed process(const AcceptedCloud& cloud);
   Processed detectIn(const AcceptedCloud& cloud);

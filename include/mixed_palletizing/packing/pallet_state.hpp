@@ -67,6 +67,9 @@ class PalletState {
   /// The same answer as whyNot(placement).empty(), faster.
   bool accepts(const Placement& placement) const;
 
+  /// The same for a placement that lies in one of the spaces, on its base: much faster where fullSupport() is not.
+  bool acceptsInSpace(const Placement& placement) const;
+
   /// Adds a box. Throws std::invalid_argument with whyNot() when it breaks a rule.
   void place(const Placement& placement);
 

@@ -30,9 +30,11 @@ std::optional<PlacementRule> placementRuleFromString(const std::string& word);
 std::optional<Placement> findPlacement(const PalletState& state, const ItemType& type, int type_index,
                                        PlacementRule rule);
 
-/// The same for an item given by the sizes in which it may stand: for callers that place many items.
+/// The same for an item given by the sizes in which it may stand: for callers that place many items. Without
+/// fullSupport() the search may take long: it finds nothing when `stop` says so.
 std::optional<Placement> findPlacement(const PalletState& state, const std::vector<Vec3>& sizes,
-                                       int type_index, PlacementRule rule);
+                                       int type_index, PlacementRule rule,
+                                       const std::function<bool()>& stop = {});
 
 /// Every placement of the item at the corner of a supported space nearest to the pallet's origin, each once.
 /// Where the state has no fullSupport() also flush with the edges of the tops below, as far as the rules allow.

@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <iostream>
 #include <limits>
 #include <random>
-#include <set>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -10,90 +8,40 @@
 #include <mixed_palletizing/packing/pallet_state.hpp>
 #include <mixed_palletizing/packing/placement_rule.hpp>
 
-#include "brute_force.hpp"
-#include "random_play.hpp"
+#include "definition_play.hpp"
 
 namespace mixed_palletizing::packing {
 namespace {
 
-using test::bruteForceSpaces;
-using test::Corners;
+constexpr int kProofPlacements = 20000;  ///< scripts/torture.sh --only invariants makes a million
+
 using test::draw;
 using test::VoxelPallet;
-
-std::set<Corners> asSet(const std::vector<Space>& spaces) {
-  std::set<Corners> set;
-  for (const Space& space : spaces) set.insert(test::corners(space));
-  return set;
-}
-
-/// Places and undoes at random; after every step the spaces are those of the definition. Returns placements.
-int playAgainstDefinition(const PalletRules& rules, std::mt19937_64& rng) {
-  PalletState state(rules);
-  std::vector<std::vector<Space>> history;
-  int placed = 0;
-  while (!state.spaces().empty() && state.placements().size() < 40 && !testing::Test::HasFailure()) {
-    if (!history.empty() && rng() % 5 == 0) {
-      EXPECT_TRUE(state.undo());
-      EXPECT_TRUE(state.spaces() == history.back()) << "undo restores the spaces exactly";
-      history.pop_back();
-      continue;
-    }
-    history.push_back(state.spaces());
-    state.place(test::randomPlacement(state, rng, 4));
-    ++placed;
-    const VoxelPallet voxels(rules, state.placements());
-    EXPECT_FALSE(voxels.overlap());
-    EXPECT_EQ(asSet(state.spaces()).size(), state.spaces().size()) << "a space is listed twice";
-    EXPECT_EQ(asSet(state.spaces()), bruteForceSpaces(rules, voxels));
-  }
-  return placed;
-}
 
 TEST(PalletState, spacesAreThoseOfTheDefinition) {
   for (const int gap : {0, 1, 2}) {
     const unsigned seed = 11 + static_cast<unsigned>(gap);
     std::mt19937_64 rng(seed);
-    const int wanted = gap == 0 ? test::proofPlacements() : test::proofPlacements() / 10;
-    int placed = 0;
-    for (int game = 0; placed < wanted; ++game) {
+    const int wanted = gap == 0 ? kProofPlacements : kProofPlacements / 10;
+    for (int placed = 0, game = 0; placed < wanted; ++game) {
       const PalletRules rules{{draw(rng, 3, 9), draw(rng, 3, 8), draw(rng, 2, 7)}, gap, 1.0};
-      placed += playAgainstDefinition(rules, rng);
-      ASSERT_FALSE(HasFailure()) << "gap " << gap << ", game " << game << ", seed " << seed;
+      const test::Game played = test::playAgainstDefinition(PalletState(rules), rng, 40);
+      ASSERT_EQ(played.fault, "") << "gap " << gap << ", game " << game << ", seed " << seed;
+      placed += played.placed;
     }
-    std::cout << "supported spaces, gap " << gap << ": " << placed
-              << " placements agree with the definition\n";
   }
 }
 
 /// The same for empty maximal spaces: on small grids, as the definition is slow.
 TEST(PalletState, emptySpacesAreThoseOfTheDefinition) {
   std::mt19937_64 rng(17);
-  int placed = 0;
-  for (int game = 0; placed < test::proofPlacements() / 10; ++game) {
+  for (int placed = 0, game = 0; placed < kProofPlacements / 10; ++game) {
     Order order;
     order.rules = {{draw(rng, 3, 6), draw(rng, 3, 5), draw(rng, 2, 5)}, 0, rng() % 2 == 0 ? 1.0 : 0.5};
-    PalletState state(order, SpaceKind::kEmpty);
-    std::vector<std::vector<Space>> history;
-    for (int step = 0; step < 40 && !state.spaces().empty(); ++step) {
-      if (!history.empty() && rng() % 4 == 0) {
-        EXPECT_TRUE(state.undo());
-        EXPECT_TRUE(state.spaces() == history.back()) << "undo restores the spaces exactly";
-        history.pop_back();
-        continue;
-      }
-      const Placement p = test::randomPlacement(state, rng, 3);
-      if (!state.accepts(p)) continue;
-      history.push_back(state.spaces());
-      state.place(p);
-      ++placed;
-      EXPECT_EQ(asSet(state.spaces()).size(), state.spaces().size()) << "a space is listed twice";
-      EXPECT_EQ(asSet(state.spaces()),
-                test::bruteForceEmptySpaces(order.rules, VoxelPallet(order.rules, state.placements())));
-    }
-    ASSERT_FALSE(HasFailure()) << "seed 17, game " << game;
+    const test::Game played = test::playAgainstDefinition(PalletState(order, SpaceKind::kEmpty), rng, 40);
+    ASSERT_EQ(played.fault, "") << "seed 17, game " << game;
+    placed += played.placed;
   }
-  std::cout << "empty spaces: " << placed << " placements agree with the definition\n";
 }
 
 /// Compares whyNot(), accepts() and the voxels for one size at every position.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <random>
 
 #include <mixed_palletizing/packing/pallet_state.hpp>
@@ -12,13 +11,6 @@ namespace mixed_palletizing::packing::test {
 
 inline int draw(std::mt19937_64& rng, int low, int high) {
   return low + static_cast<int>(rng() % static_cast<std::uint64_t>(high - low + 1));
-}
-
-/// How many placements the proofs against the definition make: 20000, or what the environment variable
-/// MIXED_PALLETIZING_PROOF_PLACEMENTS says.
-inline int proofPlacements() {
-  const char* given = std::getenv("MIXED_PALLETIZING_PROOF_PLACEMENTS");
-  return given == nullptr ? 20000 : std::max(1, std::atoi(given));
 }
 
 /// A box within a random space, mostly at one of its corners, sometimes anywhere on its base. The state must

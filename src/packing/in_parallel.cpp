@@ -5,9 +5,9 @@
 #include <thread>
 #include <vector>
 
-#include <mixed_palletizing/planning/in_parallel.hpp>
+#include <mixed_palletizing/packing/in_parallel.hpp>
 
-namespace mixed_palletizing::planning {
+namespace mixed_palletizing::packing {
 
 void inParallel(std::size_t count, int threads,
                 const std::function<void(std::size_t worker, std::size_t index)>& body) {
@@ -25,10 +25,14 @@ void inParallel(std::size_t count, int threads,
   };
   std::vector<std::thread> others;
   const std::size_t wanted = std::min(count, static_cast<std::size_t>(std::max(threads, 1)));
-  for (std::size_t worker = 1; worker < wanted; ++worker) others.emplace_back(work, worker);
+  try {
+    for (std::size_t worker = 1; worker < wanted; ++worker) others.emplace_back(work, worker);
+  } catch (const std::exception&) {
+    // No memory or no thread to be had: those there are do the work.
+  }
   work(0);
   for (std::thread& thread : others) thread.join();
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace mixed_palletizing::planning
+}  // namespace mixed_palletizing::packing
