@@ -117,8 +117,8 @@ FoundBox BoxCandidate::describe(const Context& context, const RectangleFit& fit)
   box.center = Eigen::Vector3d(r.center.x(), r.center.y(), 0.5 * height);
   box.yaw_rad = r.yaw_rad;
   box.size = Eigen::Vector3d(r.size.x(), r.size.y(), height);
-  estimateUncertainty(fit, surface, context.noise.ripple_m, options_.box.max_side_m, box);
   box.top_visibility = topVisibility(context.cloud, context.base_from_camera, top_, r, height);
+  estimateUncertainty(fit, surface, context.noise.ripple_m, options_.box.max_side_m, box);
   unsigned flags = 0;
   if (match_.occluded_ratio > kSeenShare) flags |= kOccluded;
   if (match_.border_ratio > kSeenShare) flags |= kTruncated;

@@ -143,8 +143,8 @@ FoundBox describeTop(const LevelContext& context, const FittedTop& top) {
   box.top_normal = top.surface.normal();
   box.yaw_rad = r.yaw_rad;
   box.size = Eigen::Vector3d(r.size.x(), r.size.y(), height);
-  estimateUncertainty(top.fit, top.surface, context.noise.ripple_m, context.options.box.max_side_m, box);
   box.top_visibility = top.visibility;
+  estimateUncertainty(top.fit, top.surface, context.noise.ripple_m, context.options.box.max_side_m, box);
   unsigned flags = 0;
   const double noteworthy = std::max(kSeenLength, kSeenShare * top.outline.all());
   if (top.outline.occluded > noteworthy) flags |= kOccluded;

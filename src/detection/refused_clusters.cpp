@@ -52,8 +52,15 @@ void RefusedClusters::collect(const CellGrid& cells, const LevelPieces& pieces, 
                               const std::vector<char>& taken, std::size_t min_points,
                               std::vector<RejectedCluster>& rejected) {
   held_.assign(blobs.blobs().size(), 0);
+  left_.assign(held_.size(), 0);
   cells.forEachFilled([&](std::size_t i, int, int) {
-    if (taken[i] != 0 && blobs.blobOf(i) >= 0) held_[static_cast<std::size_t>(blobs.blobOf(i))] = 1;
+    if (blobs.blobOf(i) < 0) return;
+    const auto blob = static_cast<std::size_t>(blobs.blobOf(i));
+    if (taken[i] != 0) {
+      held_[blob] = 1;
+    } else {
+      left_[blob] += cells[i].above;
+    }
   });
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const Blob& blob = blobs.blobs()[i];
@@ -68,6 +75,9 @@ void RefusedClusters::collect(const CellGrid& cells, const LevelPieces& pieces, 
     const Refusal* refusal = refusalOf(pieces, blobs, static_cast<int>(i));
     rejected.push_back(clusterOf(refusal != nullptr ? *refusal : withoutTop(blob), blob));
   }
+  bool any = false;
+  for (std::size_t i = 0; i < held_.size(); ++i) any = any || (held_[i] != 0 && left_[i] >= min_points);
+  if (!any) return;
   lookAtRests(cells, pieces, blobs, taken);
   for (std::size_t i = 0; i < rests_.size(); ++i) {
     const Blob& blob = rest_blobs_.blobs()[i];

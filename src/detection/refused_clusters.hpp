@@ -42,7 +42,8 @@ class RefusedClusters {
   const Refusal* refusalOf(int piece) const;
 
   std::vector<Entry> refusals_;
-  std::vector<char> held_;  // by blob: a box has cells of it
+  std::vector<char> held_;         // by blob: a box has cells of it
+  std::vector<std::size_t> left_;  // by blob: points that are in no box's cells
   FloorBlobs rest_blobs_;
   std::vector<Rest> rests_;
 };

@@ -106,6 +106,40 @@ Eigen::Vector2d slopeOf(const std::vector<SurfaceCell>& cells, const geometry::R
   return local.x() * r.axisX() + local.y() * r.axisY();
 }
 
+/// What the strip along the sides, where cells stay out, takes from or adds to the mean of a surface that is not level:
+/// by the parabola along both axes that fits the cells best. Rounded edges do not count.
+double rimCorrection(const std::vector<SurfaceCell>& cells, const geometry::Rectangle& r, double rounding_m) {
+  using Terms = Eigen::Matrix<double, 5, 1>;
+  Eigen::Matrix<double, 5, 5> squares = Eigen::Matrix<double, 5, 5>::Zero();
+  Terms products = Terms::Zero();
+  for (const SurfaceCell& cell : cells) {
+    const double u = 2.0 * cell.x / r.size.x();
+    const double v = 2.0 * cell.y / r.size.y();
+    const Terms terms = (Terms() << 1.0, u, v, u * u, v * v).finished();
+    squares += cell.weight * terms * terms.transpose();
+    products += cell.weight * (cell.height - cells.front().height) * terms;
+  }
+  if (!(squares(0, 0) > 0.0)) return 0.0;
+  const Terms parabola = squares.ldlt().solve(products);
+  if (!parabola.allFinite()) return 0.0;
+  const Terms cells_mean = squares.col(0) / squares(0, 0);
+  const Eigen::Array2d level = (1.0 - 2.0 * rounding_m / r.size.array()).max(0.0);
+  const Eigen::Array2d squared = level * level / 3.0;  // mean of u^2 and v^2 up to there
+  const Terms top_mean = (Terms() << 1.0, 0.0, 0.0, squared.x(), squared.y()).finished();
+  return parabola.dot(top_mean - cells_mean);
+}
+
+/// Whether cells are seen all over the rectangle, so that nothing is guessed but its rim.
+bool seenAllOver(const std::vector<SurfaceCell>& cells, const geometry::Rectangle& r) {
+  std::array<bool, kParts * kParts> seen{};
+  for (const SurfaceCell& cell : cells) {
+    const int i = std::clamp(static_cast<int>((cell.x / r.size.x() + 0.5) * kParts), 0, kParts - 1);
+    const int k = std::clamp(static_cast<int>((cell.y / r.size.y() + 0.5) * kParts), 0, kParts - 1);
+    seen[static_cast<std::size_t>(k * kParts + i)] = true;
+  }
+  return std::all_of(seen.begin(), seen.end(), [](bool part) { return part; });
+}
+
 }  // namespace
 
 TopSurface measureCells(const LevelContext& context, const TopGroup& group, const RectangleFit& fit,
@@ -119,6 +153,10 @@ TopSurface measureCells(const LevelContext& context, const TopGroup& group, cons
   }
   surface.slope = slopeOf(cells, fit.rectangle);
   surface.uneven_m = unevenness(cells, fit.rectangle, surface.height_m);
+  surface.whole = seenAllOver(cells, fit.rectangle);
+  if (!group.scale.flat && surface.whole) {
+    surface.height_m += rimCorrection(cells, fit.rectangle, fit.rounding_m);
+  }
   return surface;
 }
 

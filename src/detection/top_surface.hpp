@@ -17,6 +17,7 @@ struct TopSurface {
   double uneven_m = 0.0;  ///< largest distance of a well filled cell's mean height from the height: bulges,
                           ///< dents and tilt count, noise averages out
   Eigen::Vector2d slope = Eigen::Vector2d::Zero();  ///< rise over run along x and y of the base frame
+  bool whole = true;                                ///< seen all over, but for a rim
 
   /// Upwards, length 1, base frame.
   Eigen::Vector3d normal() const { return Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized(); }

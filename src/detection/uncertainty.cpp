@@ -8,9 +8,13 @@ namespace {
 
 // The floor under the box is not seen; it strays from the plane by a share of the floor's own roughness.
 constexpr double kHiddenFloorShare = 0.3;
-// Of the unevenness, that the mean height of a top may be off by: when all of its sides are seen, and when not.
+// Of the unevenness, that the mean height of a top may be off by: when it is seen all over, when parts are not seen, and
+// when sides are not.
 constexpr double kUnevenShare = 0.04;
+constexpr double kUnevenShareParts = 0.08;
 constexpr double kUnevenShareOpen = 0.25;
+// [m] The mean height of what is not seen of a top, beside that of the rest: it may be dented or bulge.
+constexpr double kUnseenHeight = 0.0004;
 // [m] What remains of a height when nothing is noisy: the last digits of the floor's plane.
 constexpr double kLeastHeight = 1e-5;
 
@@ -34,8 +38,12 @@ void estimateUncertainty(const RectangleFit& fit, const TopSurface& top, double 
   // Sides 1 and 3 bound the rectangle's x, sides 0 and 2 its y.
   const double along_x = side[1] + side[3];
   const double along_y = side[0] + side[2];
+  const double uneven_share = fit.foundSides() < 4 ? kUnevenShareOpen
+                              : top.whole          ? kUnevenShare
+                                                   : kUnevenShareParts;
   const double height = squared(kHiddenFloorShare * ripple_m) + squared(kLeastHeight) +
-                        squared((fit.foundSides() < 4 ? kUnevenShareOpen : kUnevenShare) * top.uneven_m) +
+                        squared(uneven_share * top.uneven_m) +
+                        squared(kUnseenHeight * (1.0 - box.top_visibility)) +
                         squared(top.stddev_m) / static_cast<double>(std::max<std::size_t>(top.count, 1));
   const bool turned = r.size.x() < r.size.y();
   box.size_stddev = Eigen::Vector3d(std::sqrt(turned ? along_y : along_x),

@@ -115,11 +115,42 @@ TEST(FitRectangle, movesRoundedSidesOntoTheirFaces) {
     for (EdgeSample& sample : c.samples) {
       sample.has_face = true;
       sample.face = sample.place;
+      sample.face_drop_m = 0.02f;
+      sample.bent = true;
       sample.place -= 0.002 * sample.outward;
     }
     const RectangleFit found = fit(c);
     EXPECT_NEAR(found.rectangle.size.x(), c.truth.size.x(), 0.0003) << "seed 84, case " << i;
     EXPECT_NEAR(found.rectangle.size.y(), c.truth.size.y(), 0.0003) << "seed 84, case " << i;
+  }
+}
+
+TEST(FitRectangle, completesRoundsOfWhichTheFaceIsNotSeen) {
+  // Rounds of 6 mm: the surface ends 1 mm below the top, and 2.5 mm below it nothing more is seen.
+  constexpr double kRadius = 0.006;
+  constexpr double kEnd = 0.001;
+  constexpr double kLast = 0.0025;
+  const auto before = [](double drop) { return kRadius - std::sqrt(drop * (2.0 * kRadius - drop)); };
+  std::mt19937 rng(85);
+  for (int i = 0; i < 20; ++i) {
+    Case c = randomCase(0.0002, rng);
+    for (EdgeSample& sample : c.samples) {
+      sample.has_face = true;
+      sample.face = sample.place - before(kLast) * sample.outward;
+      sample.face_drop_m = static_cast<float>(kLast);
+      sample.place -= before(kEnd) * sample.outward;
+      sample.bent = true;
+      sample.drop_m = static_cast<float>(kEnd);
+    }
+    FitScale scale{kPixel, 0.0003, 0.0};
+    scale.bend_m = kEnd;
+    scale.camera << c.truth.center + Eigen::Vector2d(0.6, 0.4), 1.0;
+    FitBuffers buffers;
+    c.start.rectangle.size.array() -= 2.0 * before(kEnd);
+    const RectangleFit found = fitRectangle(c.samples, c.start, scale, buffers);
+    EXPECT_NEAR(found.rounding_m, kRadius, 0.0006) << "seed 85, case " << i;
+    EXPECT_NEAR(found.rectangle.size.x(), c.truth.size.x(), 0.0006) << "seed 85, case " << i;
+    EXPECT_NEAR(found.rectangle.size.y(), c.truth.size.y(), 0.0006) << "seed 85, case " << i;
   }
 }
 
