@@ -52,9 +52,10 @@ int main(int argc, char** argv) {
   line.required("out", &out, "results, one JSON object a line");
   line.choice("method", &method, {"dblf", "ga", "best"}, "of planning");
   line.choice("rule", &rule, {"dblf", "distance"}, "ga and dblf: where a box is put");
-  line.choice(
-      "knowledge", &knowledge, {"set", "types", "order"},
-      "of the items to come: how many of each type, the types alone, or (best: to compare) their order");
+  line.choice("knowledge", &knowledge, {"set", "forecast", "types", "order"},
+              "of the items to come: how many of each type, those numbers in the mean only, the types alone, "
+              "or (best: to "
+              "compare) their order");
   line.option("budget_ms", &options.budget_ms,
               "per decision; 0 = as many as the iterations take, reproducible");
   line.option("samples", &options.planner.best.samples,

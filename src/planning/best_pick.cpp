@@ -5,6 +5,8 @@
 //    draws to the end of the order by the real rules (so many visible, discarded when none of them fits), the
 //    policy choosing. Playing with the future order known would be too optimistic.
 // 3. Pairs clearly behind the leader drop out (playout_race); the one with the best mean value is chosen.
+// 4. Where hardly any future becomes perfect and time is left, the policy is fitted to the order and the pairs race again
+//    (fitted_race, order_policy).
 #include "best_pick.hpp"
 
 #include <algorithm>
@@ -12,9 +14,7 @@
 
 #include <mixed_palletizing/planning/playout.hpp>
 
-#include "candidates.hpp"
-#include "playout_race.hpp"
-#include "scored_placements.hpp"
+#include "fitted_race.hpp"
 
 namespace mixed_palletizing::planning {
 namespace {
@@ -92,24 +92,19 @@ void chooseByPlayouts(const Situation& situation, const PlannerOptions& options,
                       const packing::StopCallback& stop, Decision& decision) {
   const std::vector<int> types = feasibleTypes(situation, decision);
   if (types.empty()) return;
-  std::vector<Playout> engines;
-  for (int i = 0; i < options.best.threads; ++i) {
-    engines.emplace_back(situation.types, situation.pallet.rules(), options.best.weights, options.gripper);
-  }
-  const std::vector<ScoredPlacement> pairs =
-      scoredPlacements(situation.pallet, types, withExpected(situation).remaining, options.gripper,
-                       engines.front().policy(), stop);
+  FittedRace fitted(situation, types, options, seed, stop);
   int chosen_type = *std::max_element(types.begin(), types.end(), [&](int a, int b) {
-    return engines.front().policy().itemVolume(a) < engines.front().policy().itemVolume(b);
+    return fitted.policy().itemVolume(a) < fitted.policy().itemVolume(b);
   });
-  if (!pairs.empty()) {
-    PlayoutRace race(situation, pairs, options.best.candidates, engines, seed);
+  if (fitted.result().race) {
     std::optional<int> samples;
     if (options.best.samples > 0 || !stop) samples = std::max(options.best.samples, 0);
     if (samples == 0) samples = BestOptions::kDefaultSamples;
-    if (pairs.size() > 1 && options.best.candidates > 1) race.run(samples, stop);
-    tellOptions(situation, pairs, race, options.n_cost, decision);
-    chosen_type = race.runners()[race.leader()].placement.type;
+    fitted.run(samples);
+    const FittedRace::Heat& heat = fitted.result();
+    tellOptions(situation, heat.pairs, *heat.race, options.n_cost, decision);
+    chosen_type = heat.race->runners()[heat.race->leader()].placement.type;
+    if (heat.weights != options.best.weights) decision.fitted = heat.weights;
   }
   decision.chosen = static_cast<std::size_t>(
       std::find(situation.available.begin(), situation.available.end(), chosen_type) -

@@ -7,9 +7,8 @@
 
 namespace mixed_palletizing::planning {
 
-/// As playArrivals(), with every arrival known: the weights of the policy are searched for this very order, from the
-/// options' on, for as long as the budget of all decisions lasts (without one `kKnownOrderPlays` plays); the best play
-/// counts. Its gripper, rules and arrival are those of playArrivals(). Arguments must be sound.
+/// As playArrivals(), with every arrival known: a beam search over plays of the policy, wider and wider for as long as
+/// the budget of all decisions lasts (without one `kKnownOrderPlays` plays); the fullest pallet counts. Its gripper, rules and arrival are those of playArrivals(). Arguments must be sound.
 PlayResult playKnownOrder(const packing::Order& order, const std::vector<int>& arrival,
                           const PlayOptions& options);
 

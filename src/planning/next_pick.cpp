@@ -121,10 +121,11 @@ std::vector<std::string> problems(const BestOptions& options) {
   atLeast("candidates", options.candidates, 1);
   atLeast("samples", options.samples, 0);
   atLeast("threads", options.threads, 1);
-  if (!std::all_of(options.weights.begin(), options.weights.end(),
-                   [](double weight) { return std::isfinite(weight); })) {
-    found.emplace_back("weights: every weight must be finite");
-  }
+  const auto finite = [](const PolicyWeights& weights) {
+    return std::all_of(weights.begin(), weights.end(), [](double weight) { return std::isfinite(weight); });
+  };
+  if (!finite(options.weights)) found.emplace_back("weights: every weight must be finite");
+  if (options.fitted && !finite(*options.fitted)) found.emplace_back("fitted: every weight must be finite");
   return found;
 }
 

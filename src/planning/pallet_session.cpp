@@ -70,6 +70,7 @@ SessionReply PalletSession::start(const std::string& pallet_id, const packing::O
   if (open()) events.emplace_back(PalletClosed{});
   events.emplace_back(PalletStarted{pallet_id, order, knowledge});
   record(events);
+  options_.best.fitted.reset();
   if (ponderer_) ponderer_->forget();
   return {SessionStatus::kOk,
           "pallet '" + pallet_id + "': " + assumptionOf(state_.open()->situation({}), knowledge.kind)};
@@ -107,6 +108,7 @@ ChooseReply PalletSession::choose(const std::string& request_id, const std::vect
   } else {
     reply.decision = chooseNextPick(situation, options_, seed(), stop);
   }
+  options_.best.fitted = reply.decision.fitted;
   reply.decision_id = state_.nextDecisionId();
   answer(reply.decision.chosen ? ChooseStatus::kPick : ChooseStatus::kNoneFits,
          decisionText(reply.decision, available, open->order));

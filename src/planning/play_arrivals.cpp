@@ -39,7 +39,12 @@ void check(const packing::Order& order, const std::vector<int>& arrival, const P
 class Play {
  public:
   Play(const packing::Order& order, const std::vector<int>& arrival, const PlayOptions& options)
-      : order_(order), arrival_(arrival), options_(options), pallet_(order), remaining_(order.counts) {
+      : order_(order),
+        arrival_(arrival),
+        options_(options),
+        planner_(options.planner),
+        pallet_(order),
+        remaining_(order.counts) {
     arrive();
   }
 
@@ -49,6 +54,7 @@ class Play {
   void step() {
     Situation situation{pallet_, order_.types, {}, remaining_};
     for (const int item : available_) situation.available.push_back(typeOf(item));
+    if (options_.knowledge == PlayKnowledge::kForecast) doubtCounts(situation);
     if (options_.knowledge == PlayKnowledge::kTypes) forgetCounts(situation);
     const Clock::time_point start = Clock::now();
     packing::StopCallback stop;
@@ -57,7 +63,8 @@ class Play {
       stop = [deadline] { return Clock::now() >= deadline; };
     }
     const std::uint64_t seed = decisionSeed(options_.seed, result_.decision_ms.size());
-    const Decision decision = chooseNextPick(situation, options_.planner, seed, stop);
+    const Decision decision = chooseNextPick(situation, planner_, seed, stop);
+    planner_.best.fitted = decision.fitted;
     result_.decision_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     if (decision.chosen) {
       place(*decision.chosen, decision.options[*decision.chosen].placement);
@@ -74,6 +81,15 @@ class Play {
   }
 
  private:
+  /// Leaves the available items sure; of the others as many are expected as come.
+  static void doubtCounts(Situation& situation) {
+    std::vector<int> sure(situation.types.size(), 0);
+    for (const int type : situation.available) ++sure[static_cast<std::size_t>(type)];
+    for (std::size_t t = 0; t < sure.size(); ++t)
+      situation.forecast.push_back(situation.remaining[t] - sure[t]);
+    situation.remaining = std::move(sure);
+  }
+
   /// Leaves the available items and the types.
   void forgetCounts(Situation& situation) const {
     situation.remaining.assign(order_.types.size(), 0);
@@ -116,6 +132,7 @@ class Play {
   const packing::Order& order_;
   const std::vector<int>& arrival_;
   const PlayOptions& options_;
+  PlannerOptions planner_;
   packing::PalletState pallet_;
   std::vector<int> remaining_;
   std::vector<int> available_;  ///< indices in the arrival
@@ -127,6 +144,7 @@ class Play {
 
 std::optional<PlayKnowledge> playKnowledgeFromString(const std::string& word) {
   if (word == "set") return PlayKnowledge::kSet;
+  if (word == "forecast") return PlayKnowledge::kForecast;
   if (word == "types") return PlayKnowledge::kTypes;
   if (word == "order") return PlayKnowledge::kOrder;
   return std::nullopt;

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include <mixed_palletizing/packing/in_parallel.hpp>
-#include <mixed_palletizing/packing/random.hpp>
 
 #include "future_value.hpp"
 
@@ -26,30 +25,15 @@ constexpr std::size_t kSureRounds = 64;
 /// Rounds without any difference between the runners after which the race is called off.
 constexpr std::size_t kEqualRounds = 128;
 
-/// One seed per future (splitmix64, Steele, Lea and Flood 2014).
-std::uint64_t futureSeed(std::uint64_t seed, std::uint64_t future) {
-  std::uint64_t z = seed + 0x9e3779b97f4a7c15ULL * (future + 1);
-  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
-  return z ^ (z >> 31U);
-}
-
 }  // namespace
 
 PlayoutRace::PlayoutRace(const Situation& situation, const std::vector<ScoredPlacement>& pairs, int lanes,
-                         std::vector<Playout>& engines, std::uint64_t seed)
+                         std::vector<Playout>& engines, const SampledFutures& futures)
     : pairs_(pairs),
       lanes_(static_cast<std::size_t>(lanes)),
       engines_(engines),
-      seed_(seed),
-      start_{situation.pallet, std::vector<int>(situation.types.size(), 0),
-             static_cast<int>(situation.available.size())},
-      forecast_(situation.forecast) {
-  for (const int type : situation.available) ++start_.visible[static_cast<std::size_t>(type)];
-  for (std::size_t t = 0; t < start_.visible.size(); ++t) {
-    to_come_.insert(to_come_.end(), static_cast<std::size_t>(situation.remaining[t] - start_.visible[t]),
-                    static_cast<int>(t));
-  }
+      futures_(futures),
+      start_(playoutStart(situation)) {
   while (runners_.size() < std::min(lanes_, pairs_.size())) enter();
 }
 
@@ -75,9 +59,9 @@ bool PlayoutRace::enterMore(std::size_t most) {
 }
 
 void PlayoutRace::run(std::optional<int> samples, const packing::StopCallback& stop) {
-  const std::size_t most = onlyOneFuture() ? 1
-                           : samples       ? static_cast<std::size_t>(*samples)
-                                           : std::numeric_limits<std::size_t>::max();
+  const std::size_t most = futures_.onlyOne() ? 1
+                           : samples          ? static_cast<std::size_t>(*samples)
+                                              : std::numeric_limits<std::size_t>::max();
   const bool others_enter = lanes_ > 1 && (!samples || most == 1);
   while (true) {
     const std::size_t lead = runners_[leader()].ends.size();
@@ -100,7 +84,7 @@ void PlayoutRace::run(std::optional<int> samples, const packing::StopCallback& s
 /// Nothing can be better than a leader that always became perfect.
 bool PlayoutRace::certain() const {
   const std::vector<PlayoutEnd>& ends = runners_[leader()].ends;
-  const std::size_t needed = onlyOneFuture() ? 1 : kSureRounds;
+  const std::size_t needed = futures_.onlyOne() ? 1 : kSureRounds;
   return ends.size() >= needed &&
          std::all_of(ends.begin(), ends.end(), [](const PlayoutEnd& end) { return end.perfect(); });
 }
@@ -119,25 +103,6 @@ std::size_t PlayoutRace::fewestEnds() const {
   return fewest;
 }
 
-/// All that is to come is of one type: there is nothing to draw.
-bool PlayoutRace::onlyOneFuture() const {
-  const bool alike = to_come_.empty() || to_come_.front() == to_come_.back();  // sorted
-  return alike && std::all_of(forecast_.begin(), forecast_.end(), [](double count) { return count == 0.0; });
-}
-
-/// What may come, in a random order: the items known, and of every type with a forecast a number drawn from the
-/// Poisson distribution: the arrivals of a stream in the time that brings so many in the mean.
-std::vector<int> PlayoutRace::arrivalOf(std::size_t future) const {
-  packing::Random random(futureSeed(seed_, future));
-  const auto gap = [&random] { return -std::log(1.0 - packing::uniform01(random)); };
-  std::vector<int> arrival = to_come_;
-  for (std::size_t t = 0; t < forecast_.size(); ++t) {
-    for (double time = gap(); time < forecast_[t]; time += gap()) arrival.push_back(static_cast<int>(t));
-  }
-  packing::shuffle(arrival, random);
-  return arrival;
-}
-
 /// Those racing with fewer futures than `rounds` play up to so many; they all played the same number before. False
 /// when stopped; the rounds that all of them completed count.
 bool PlayoutRace::playUntil(std::size_t rounds, const packing::StopCallback& stop) {
@@ -147,7 +112,7 @@ bool PlayoutRace::playUntil(std::size_t rounds, const packing::StopCallback& sto
   }
   const std::size_t done = runners_[players.front()].ends.size();
   std::vector<std::vector<int>> arrivals;
-  for (std::size_t future = done; future < rounds; ++future) arrivals.push_back(arrivalOf(future));
+  for (std::size_t future = done; future < rounds; ++future) arrivals.push_back(futures_.arrival(future));
   std::vector<std::optional<PlayoutEnd>> ends(arrivals.size() * players.size());
   std::atomic<bool> stopped{false};
   packing::inParallel(ends.size(), static_cast<int>(engines_.size()), [&](std::size_t worker, std::size_t i) {

@@ -3,14 +3,13 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include <mixed_palletizing/packing/random.hpp>
 #include <mixed_palletizing/planning/next_pick.hpp>
 #include <mixed_palletizing/planning/playout.hpp>
 
+#include "sampled_futures.hpp"
 #include "scored_placements.hpp"
 
 namespace mixed_palletizing::planning {
@@ -27,7 +26,7 @@ class PlayoutRace {
   /// `pairs`: best first, at least one; `lanes` of them race at a time; `engines`: one for each thread. What is
   /// referred to must outlive the race.
   PlayoutRace(const Situation& situation, const std::vector<ScoredPlacement>& pairs, int lanes,
-              std::vector<Playout>& engines, std::uint64_t seed);
+              std::vector<Playout>& engines, const SampledFutures& futures);
 
   /// `samples` futures at most for each of the first pairs; without a number until `stop` cuts in, and pairs that
   /// drop out are replaced by the next. Ends before that when the decision is certain or one runner is left.
@@ -45,12 +44,10 @@ class PlayoutRace {
  private:
   void enter();
   bool enterMore(std::size_t most);
-  std::vector<int> arrivalOf(std::size_t future) const;
   bool playUntil(std::size_t rounds, const packing::StopCallback& stop);
   void dropThoseBehind();
   std::size_t racing() const;
   std::size_t fewestEnds() const;
-  bool onlyOneFuture() const;
   bool certain() const;
   bool noDifference() const;
   double value(const PlayoutEnd& end) const;
@@ -58,11 +55,9 @@ class PlayoutRace {
   const std::vector<ScoredPlacement>& pairs_;
   std::size_t lanes_;
   std::vector<Playout>& engines_;
-  std::uint64_t seed_;
-  PlayoutStart start_;            ///< before any placement
-  std::vector<Runner> runners_;   ///< of the first pairs
-  std::vector<int> to_come_;      ///< known
-  std::vector<double> forecast_;  ///< expected beside them, per type; empty = none
+  const SampledFutures& futures_;
+  PlayoutStart start_;           ///< before any placement
+  std::vector<Runner> runners_;  ///< of the first pairs
 };
 
 }  // namespace mixed_palletizing::planning

@@ -1,48 +1,21 @@
-// Source: the cross-entropy method (Rubinstein 1999), with added noise that fades (Szita and Lorincz 2006), so
-// that the deviations do not shrink before the means have arrived.
+// Every vector of weights plays the same orders of an iteration; cross_entropy follows the best of them.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <mixed_palletizing/packing/in_parallel.hpp>
-#include <mixed_palletizing/packing/random.hpp>
 #include <mixed_palletizing/planning/playout.hpp>
 #include <mixed_palletizing/planning/policy_tuning.hpp>
 
+#include "cross_entropy.hpp"
 #include "future_value.hpp"
 
 namespace mixed_palletizing::planning {
 namespace {
 
-constexpr double kKept = 0.1;          ///< share of the old deviation in the new
-constexpr double kNoise = 0.02;        ///< added to every deviation at the start ...
-constexpr double kNoiseHalving = 7.0;  ///< ... and halved every so many iterations
+constexpr double kNoise = 0.02;  ///< added to every deviation at the start
 constexpr std::size_t kLeastElite = 4;
-
-struct Tried {
-  PolicyWeights weights;
-  PolicyScore score;
-};
-
-PolicyWeights drawn(const PolicyWeights& mean, const PolicyWeights& deviation, packing::Random& random) {
-  PolicyWeights weights;
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    weights[i] = mean[i] + deviation[i] * packing::normal(random);
-  return weights;
-}
-
-void follow(const std::vector<Tried>& elite, int iteration, PolicyWeights& mean, PolicyWeights& deviation) {
-  const auto n = static_cast<double>(elite.size());
-  const double noise = kNoise * std::exp2(-iteration / kNoiseHalving);
-  for (std::size_t i = 0; i < mean.size(); ++i) {
-    double sum = 0.0;
-    double squares = 0.0;
-    for (const Tried& tried : elite) sum += tried.weights[i];
-    mean[i] = sum / n;
-    for (const Tried& tried : elite) squares += (tried.weights[i] - mean[i]) * (tried.weights[i] - mean[i]);
-    deviation[i] = (1.0 - kKept) * std::sqrt(squares / n) + kKept * deviation[i] + noise;
-  }
-}
 
 }  // namespace
 
@@ -81,29 +54,24 @@ PolicyWeights tunePolicy(const TuningOptions& options, const TuningOrders& order
                          const std::function<void(const TuningReport&)>& report) {
   const std::vector<std::string> found = problems(options);
   if (!found.empty()) throw std::invalid_argument("tunePolicy: options: " + found.front());
-  packing::Random random(options.seed);
-  PolicyWeights mean = options.start;
-  PolicyWeights deviation;
-  deviation.fill(options.spread);
+  CrossEntropy search(options.start, options.spread, kNoise, options.seed);
   const std::size_t elite =
       std::max(kLeastElite, static_cast<std::size_t>(options.elite_ratio * options.population));
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
     const std::vector<TuningOrder> sample = orders(iteration);
-    std::vector<Tried> tried(static_cast<std::size_t>(options.population));
-    tried.front().weights = mean;
-    for (std::size_t i = 1; i < tried.size(); ++i) tried[i].weights = drawn(mean, deviation, random);
-    packing::inParallel(tried.size(), options.threads, [&](std::size_t, std::size_t i) {
-      tried[i].score = playPolicy(sample, tried[i].weights);
-    });
-    TuningReport now{iteration, tried.front().score, 0.0};
-    std::stable_sort(tried.begin(), tried.end(),
-                     [](const Tried& a, const Tried& b) { return a.score.value > b.score.value; });
-    now.best_value = tried.front().score.value;
-    tried.resize(std::min(tried.size(), elite));
-    follow(tried, iteration, mean, deviation);
+    const std::vector<PolicyWeights> drawn = search.draw(static_cast<std::size_t>(options.population));
+    std::vector<PolicyScore> scores(drawn.size());
+    packing::inParallel(drawn.size(), options.threads,
+                        [&](std::size_t, std::size_t i) { scores[i] = playPolicy(sample, drawn[i]); });
+    std::vector<TriedWeights> tried;
+    for (std::size_t i = 0; i < drawn.size(); ++i) tried.push_back({drawn[i], scores[i].value});
+    const auto best = std::max_element(tried.begin(), tried.end(),
+                                       [](const auto& a, const auto& b) { return a.value < b.value; });
+    const TuningReport now{iteration, scores.front(), best->value};
+    search.follow(std::move(tried), elite);
     if (report) report(now);
   }
-  return mean;
+  return search.mean();
 }
 
 }  // namespace mixed_palletizing::planning

@@ -32,6 +32,7 @@ std::vector<int> sorted(std::vector<int> items) {
 /// The decision for other available items of the same types in another sequence.
 Decision resequenced(const Decision& decision, const std::vector<int>& from, const std::vector<int>& to) {
   Decision other;
+  other.fitted = decision.fitted;
   const auto indexIn = [&from](int type) {
     return static_cast<std::size_t>(std::find(from.begin(), from.end(), type) - from.begin());
   };

@@ -35,7 +35,8 @@ struct BestOptions {
   int samples = 0;     ///< futures of each pair at most; 0 = until `stop`, or kDefaultSamples without one
   int threads = 1;     ///< play futures at the same time; the decision does not depend on it
   PolicyWeights weights = tunedPolicyWeights();
-  std::uint64_t seed = 1;  ///< of a session's decisions
+  std::optional<PolicyWeights> fitted;  ///< Decision::fitted of the decision before, of the same order
+  std::uint64_t seed = 1;               ///< of a session's decisions
 
   static constexpr int kDefaultSamples = 16;
 };
@@ -86,8 +87,9 @@ struct PickOption {
 };
 
 struct Decision {
-  std::optional<std::size_t> chosen;  ///< index in Situation::available; none when nothing fits
-  std::vector<PickOption> options;    ///< one for every available item
+  std::optional<std::size_t> chosen;    ///< index in Situation::available; none when nothing fits
+  std::vector<PickOption> options;      ///< one for every available item
+  std::optional<PolicyWeights> fitted;  ///< kBest: play this order better, where some were looked for
 };
 
 /// Decides. Equal types among the available are judged once. Deterministic for the same situation, options and seed unless `stop` cuts the search short; it

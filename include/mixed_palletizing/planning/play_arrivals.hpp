@@ -14,12 +14,13 @@ namespace mixed_palletizing::planning {
 
 /// What the planner is told of the items still to come.
 enum class PlayKnowledge {
-  kSet,    ///< how many of each type, never their order
-  kTypes,  ///< the types only: as many of each as fill the free volume in equal shares are expected
-  kOrder,  ///< every arrival, as no planner knows it: what knowing would be worth; kBest only
+  kSet,       ///< how many of each type, never their order
+  kForecast,  ///< the same numbers, but as means: every future draws its own
+  kTypes,     ///< the types only: as many of each as fill the free volume in equal shares are expected
+  kOrder,     ///< every arrival, as no planner knows it: what knowing would be worth; kBest only
 };
 
-/// Parses "set", "types" or "order"; std::nullopt for another word.
+/// Parses "set", "forecast", "types" or "order"; std::nullopt for another word.
 std::optional<PlayKnowledge> playKnowledgeFromString(const std::string& word);
 
 struct PlayOptions {

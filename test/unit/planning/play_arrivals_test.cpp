@@ -78,13 +78,13 @@ TEST(PlayArrivals, gaLeavesLessThanDblfAndBestLessThanGa) {
   EXPECT_LT(best, ga);
 }
 
-TEST(PlayArrivals, knowingTheTypesOnlyKeepsTheRules) {
+TEST(PlayArrivals, knowingLessThanTheSetKeepsTheRules) {
   for (int i = 0; i < 8; ++i) {
     const instances::Instance instance = instances::generateInstance({}, 63, i);
     PlayOptions options;
-    options.knowledge = PlayKnowledge::kTypes;
+    options.knowledge = i % 2 == 0 ? PlayKnowledge::kTypes : PlayKnowledge::kForecast;
     options.planner.best.samples = 4;
-    options.planner.method = i % 4 == 0 ? PlanMethod::kGa : PlanMethod::kBest;
+    options.planner.method = i < 2 ? PlanMethod::kGa : PlanMethod::kBest;
     const PlayResult play = playArrivals(instance.order, instance.arrival, options);
     EXPECT_TRUE(faultsOf(instance, play).empty()) << "seed 63, index " << i;
     EXPECT_GT(play.utilization, 0.5) << "seed 63, index " << i;
@@ -130,6 +130,7 @@ TEST(PlayArrivals, refusesBadInput) {
   options.knowledge = PlayKnowledge::kOrder;  // of use for kBest only
   EXPECT_EQ(problems(options).size(), 3U);
   EXPECT_FALSE(playKnowledgeFromString("all"));
+  EXPECT_EQ(playKnowledgeFromString("forecast"), PlayKnowledge::kForecast);
   EXPECT_THROW(playArrivals(instance.order, instance.arrival, options), std::invalid_argument);
   std::vector<int> arrival = instance.arrival;
   arrival.pop_back();
