@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tries to bring the package down: kills, damaged files, bad disks, random placements, boxes not as planned, memory that runs out, data
-# races, bad clouds, fuzzers. Prints one table: what was tried, how much of it survived.
+# races, bad clouds, clocks and transforms, load, fuzzers. Prints one table: what was tried, how much of it survived.
 # usage: scripts/torture.sh [--long] [--only NAME] [--seed N] [--write]
 #   --long   hours instead of minutes      --only   one of the tests below
 #   --seed   of everything random (1)      --write  puts the table, its date and command into docs/reliability.md
@@ -10,13 +10,17 @@ set -euo pipefail
 # One line for a test: torture NAME COMMAND... A test prints what it found, and `ROW {...}` lines for the table
 # (test/torture/report_row.py); it fails when anything was lost.
 tests() {
+  local rostest=$root/test/torture/rostest_row.sh
   torture kill_planner /usr/bin/python3 "$root/test/torture/kill_planner.py" --kills "$(amount 200 1000)" --seed "$seed"
+  torture kill_cell /usr/bin/python3 "$root/test/torture/kill_cell.py" --kills "$(amount 40 1000)" --seed "$seed"
   torture journal_damage "$build/journal_damage" --cut-step 1 --flips "$(amount 10000 100000)" \
     --draws "$(amount 5 50)" --seed "$seed"
   torture invariants "$build/invariants" --placements "$(amount 1000000 10000000)" --seeds "$(amount 1000 10000)" \
     --deviations "$(amount 20000 1000000)" --seed "$seed"
   torture out_of_memory "$build/out_of_memory" --tries "$(amount 500 20000)" --seed "$seed"
-  torture bad_clouds "$root/test/torture/bad_clouds.sh"
+  torture bad_clouds "$rostest" bad_clouds.test
+  torture time_and_tf "$rostest" time_and_tf.test rounds:="$(amount 5 500)" seed:="$seed"
+  torture load "$rostest" load.test cycles:="$(amount 4000 100000)" growth:=0.01 seed:="$seed"
   torture fuzzers "$root/scripts/fuzz.sh" --rows --runs "$(amount 1000000 10000000)" --seconds "$(amount 120 36000)"
 }
 
@@ -57,7 +61,8 @@ torture() {
 }
 
 install_packages build test
-CATKIN_ENABLE_TESTING=ON make_workspace pick_planner pallet_journal journal_damage invariants out_of_memory mixed_palletizing_nodelets
+CATKIN_ENABLE_TESTING=ON make_workspace pick_planner pallet_journal journal_damage invariants out_of_memory mixed_palletizing_nodelets \
+  cell_simulator
 use_workspace
 build=$workspace/devel/lib/mixed_palletizing
 export ROS_HOME=$results/ros ROS_MASTER_URI=http://localhost:$(free_port)

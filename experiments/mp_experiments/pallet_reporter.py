@@ -3,7 +3,9 @@ import datetime
 import os
 import pathlib
 import re
+import time
 
+import rosgraph
 import rospy
 from std_msgs.msg import String
 
@@ -16,6 +18,7 @@ from .tools import Tools
 PLANNER = 'pick_planner'
 FOLDER = '~/.ros/mixed_palletizing/reports'
 STATES_KEPT = 100
+MASTER_POLL_S = 1.0
 
 
 def journal_path(given, planner_name):
@@ -65,8 +68,28 @@ class PalletReporter:
         self.written.publish(str(path))
 
 
+def forgotten():
+    """The master was started anew and does not know this node; None while there is no master."""
+    try:
+        rosgraph.Master(rospy.get_name()).lookupService(rospy.get_name() + '/get_loggers')
+    except rosgraph.MasterError:
+        return True
+    except OSError:
+        return None
+    return False
+
+
 def main(script_folder):
     rospy.init_node('pallet_reporter')
-    reporter = PalletReporter(script_folder)
-    rospy.spin()
-    return 0 if reporter else 1
+    PalletReporter(script_folder)
+    away = False
+    while not rospy.is_shutdown():
+        time.sleep(MASTER_POLL_S)
+        answer = forgotten()
+        if answer and not rospy.is_shutdown():
+            rospy.logfatal('the ROS master was started anew and does not know this node: start the launch file again')
+            return 1
+        if answer is None and not away:
+            rospy.logerr('the ROS master does not answer')
+        away = answer is None
+    return 0

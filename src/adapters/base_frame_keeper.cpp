@@ -1,9 +1,7 @@
-#include <chrono>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
 #include <stdexcept>
-#include <thread>
 
 #include <ros/console.h>
 #include <tf2_eigen/tf2_eigen.h>
@@ -14,6 +12,7 @@
 #include <mixed_palletizing/adapters/calibration_file.hpp>
 #include <mixed_palletizing/adapters/message_parts.hpp>
 #include <mixed_palletizing/adapters/static_transforms.hpp>
+#include <mixed_palletizing/adapters/transform_lookup.hpp>
 
 namespace mixed_palletizing::adapters {
 namespace {
@@ -93,22 +92,10 @@ BaseFrameAnswer BaseFrameKeeper::find(const std::string& camera_frame, const ros
 }
 
 BaseFrameAnswer BaseFrameKeeper::lookUp(const std::string& camera_frame, const ros::Time& stamp) const {
-  // On the steady clock: tf's own timeout never ends while simulated time stands still.
-  const tf2::BufferCore& buffer = *buffer_;
-  const auto deadline =
-      std::chrono::steady_clock::now() + std::chrono::duration<double>(options_.tf_timeout_s);
-  std::string error;
-  while (!buffer.canTransform(options_.base_frame, camera_frame, stamp, &error)) {
-    if (std::chrono::steady_clock::now() >= deadline) return missing("no_transform", error);
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  const auto transform = buffer.lookupTransform(options_.base_frame, camera_frame, stamp);
-  const geometry::Pose pose = tf2::transformToEigen(transform);
-  if (!pose.matrix().allFinite() || !isRotation(transform.transform.rotation)) {
-    return missing("no_transform", "the transform from '" + camera_frame + "' to '" + options_.base_frame +
-                                       "' is not finite or no rotation");
-  }
-  return {pose, "", "", 0};
+  const FoundTransform found =
+      lookUpTransform(*buffer_, options_.base_frame, camera_frame, stamp, options_.tf_timeout_s);
+  if (!found.transform) return missing("no_transform", found.problem);
+  return {geometry::Pose(tf2::transformToEigen(*found.transform)), "", "", 0};
 }
 
 void BaseFrameKeeper::set(const std::string& camera_frame, const geometry::Pose& base_from_camera,

@@ -61,7 +61,8 @@ void CalibrationRun::add(const Arrival& arrival) {
   if (arrival.kind == Arrival::Kind::kDropped)
     return fail(CalibrateResponse::BAD_CLOUD, cloud + arrival.dropped);
   if (arrival.kind != Arrival::Kind::kCloud)
-    return fail(CalibrateResponse::TIMEOUT, cloud + "none came in time");
+    return fail(CalibrateResponse::TIMEOUT,
+                cloud + "none came in time" + (arrival.dropped.empty() ? "" : ": " + arrival.dropped));
   const std::string& frame_id = arrival.cloud.message->header.frame_id;
   if (!camera_frame_.empty() && frame_id != camera_frame_) {
     return fail(CalibrateResponse::BAD_CLOUD,

@@ -39,27 +39,31 @@ DetectorServer::DetectorServer(const ros::NodeHandle& private_node)
     : options_(readDetectorOptions(parameterTree(private_node))),
       cloud_node_(onQueue(private_node, &cloud_queue_)),
       service_node_(onQueue(private_node, &service_queue_)),
+      diagnostics_node_(onQueue(private_node, &diagnostics_queue_)),
       drops_([](const std::string& line) { ROS_WARN_STREAM("cloud dropped: " << line); }, kWarningInterval),
+      camera_([this] { return capture(); }),
       base_frame_(options_),
       outputs_(std::make_unique<DetectorOutputs>(service_node_)),
       diagnostics_(std::make_unique<DetectorDiagnostics>(service_node_, drops_, base_frame_)),
       detection_options_(options_.detection),
       detector_(options_.detection),
       cloud_spinner_(1, &cloud_queue_),
-      service_spinner_(kServiceThreads, &service_queue_) {
+      service_spinner_(kServiceThreads, &service_queue_),
+      diagnostics_spinner_(1, &diagnostics_queue_) {
   marker_image_ = service_node_.advertise<sensor_msgs::Image>(names::kMarkerImage, 1, true);
   points_ =
       cloud_node_.subscribe(siblingName(private_node, names::kPoints),
                             static_cast<std::uint32_t>(options_.queue_size), &DetectorServer::onCloud, this);
   detect_service_ = service_node_.advertiseService(names::kDetect, &DetectorServer::onDetect, this);
   calibrate_service_ = service_node_.advertiseService(names::kCalibrate, &DetectorServer::onCalibrate, this);
-  diagnostics_timer_ = service_node_.createSteadyTimer(
+  diagnostics_timer_ = diagnostics_node_.createSteadyTimer(
       ros::WallDuration(kDiagnosticsPeriodS), [this](const ros::SteadyTimerEvent&) { reportDiagnostics(); });
   tuning_ = std::make_unique<DetectionTuning>(
       onQueue(ros::NodeHandle(private_node, names::kTuning), &service_queue_), options_.detection,
       [this](const detection::DetectionOptions& options) { useOptions(options); });
   cloud_spinner_.start();
   service_spinner_.start();
+  diagnostics_spinner_.start();
   ROS_INFO_STREAM("clouds from " << points_.getTopic() << ", base frame '" << options_.base_frame
                                  << "': " << base_frame_.description());
 }
@@ -67,6 +71,7 @@ DetectorServer::DetectorServer(const ros::NodeHandle& private_node)
 DetectorServer::~DetectorServer() {
   inbox_.close();
   points_.shutdown();
+  diagnostics_spinner_.stop();
   service_spinner_.stop();
   cloud_spinner_.stop();
 }
@@ -77,14 +82,15 @@ void DetectorServer::onCloud(const sensor_msgs::PointCloud2ConstPtr& message) {
     if (!checked.view) {
       drops_.count(toString(checked.fault), checked.message);
       diagnostics_->cloudDropped();
-      inbox_.drop(std::string(toString(checked.fault)) + ": " + checked.message, message->header.stamp);
+      inbox_.drop(std::string(toString(checked.fault)) + ": " + checked.message, message->header.stamp,
+                  ros::Time::now());
       return;
     }
     diagnostics_->cloudArrived(message->header.frame_id);
     AcceptedCloud cloud;
     cloud.message = message;
     cloud.view = *checked.view;
-    cloud.sequence = inbox_.accept(cloud);
+    cloud.sequence = inbox_.accept(cloud, ros::Time::now());
     if (options_.calibrate_on_start && !base_frame_.calibrated()) calibrateWith(cloud);
     if (outputs_->wanted()) process(cloud);
   } catch (const std::exception& error) {

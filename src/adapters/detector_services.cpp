@@ -22,8 +22,9 @@ using Clock = std::chrono::steady_clock;
 constexpr double kLongestTimeoutS = 3600.0;
 constexpr std::chrono::milliseconds kConnectionPoll(10);
 
-/// A capture whose cloud got lost is asked for again after this time.
+/// A capture whose cloud got lost is asked for again after this time, a camera that refused after this.
 constexpr std::chrono::seconds kTriggerAgain(5);
+constexpr std::chrono::seconds kRefusedAgain(1);
 
 bool goodTimeout(double timeout_s) { return timeout_s >= 0.0 && timeout_s <= kLongestTimeoutS; }
 
@@ -33,10 +34,17 @@ Arrival DetectorServer::awaitCloud(std::uint64_t sequence, double timeout_s, con
   const auto wait = std::chrono::duration<double>(timeout_s > 0.0 ? timeout_s : options_.cloud_timeout_s);
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(wait);
   for (;;) {
-    const auto patience =
-        triggerCamera(deadline) ? std::min(deadline, Clock::now() + kTriggerAgain) : deadline;
-    const Arrival arrival = inbox_.waitAfter(sequence, patience);
-    if (arrival.kind == Arrival::Kind::kTimeout && Clock::now() < deadline) continue;
+    auto patience = deadline;
+    bool refused = false;
+    if (!options_.capture_service.empty()) {
+      refused = !triggerCamera(deadline);
+      patience = std::min(deadline, Clock::now() + (refused ? kRefusedAgain : kTriggerAgain));
+    }
+    Arrival arrival = inbox_.waitAfter(sequence, patience);
+    if (arrival.kind == Arrival::Kind::kTimeout) {
+      if (Clock::now() < deadline) continue;
+      if (refused) arrival.dropped = cameraSilent();
+    }
     const bool too_old = arrival.kind == Arrival::Kind::kCloud && arrival.stamp < not_before;
     if (!too_old) return arrival;
     sequence = arrival.sequence;
@@ -44,16 +52,26 @@ Arrival DetectorServer::awaitCloud(std::uint64_t sequence, double timeout_s, con
 }
 
 bool DetectorServer::triggerCamera(Clock::time_point deadline) {
-  if (options_.capture_service.empty()) return false;
   // A camera driver publishes nothing as long as it sees no subscriber.
   while (points_.getNumPublishers() == 0 && Clock::now() < deadline && ros::ok()) {
     std::this_thread::sleep_for(kConnectionPoll);
   }
-  std_srvs::Empty capture;  // the same on the wire as zivid_camera/Capture
-  const std::string service = siblingName(service_node_, options_.capture_service);
-  if (ros::service::call(service, capture)) return true;
-  ROS_WARN_STREAM("capture_service " << service << " does not answer");
-  return false;
+  const bool triggered = camera_.trigger(deadline) == CameraTrigger::Outcome::kTriggered;
+  if (!triggered) ROS_WARN_STREAM(cameraSilent());
+  return triggered;
+}
+
+bool DetectorServer::capture() const {
+  std_srvs::Empty empty;  // the same on the wire as zivid_camera/Capture
+  return ros::service::call(captureService(), empty);
+}
+
+std::string DetectorServer::cameraSilent() const {
+  return "capture_service " + captureService() + " does not answer";
+}
+
+std::string DetectorServer::captureService() const {
+  return siblingName(service_node_, options_.capture_service);
 }
 
 bool DetectorServer::onDetect(DetectBoxesRequest& request, DetectBoxesResponse& response) {
@@ -78,14 +96,20 @@ void DetectorServer::detect(const DetectBoxesRequest& request, DetectBoxesRespon
     response.message = "there is no base frame yet: call the service calibrate";
     return;
   }
-  Arrival arrival = inbox_.latest();
-  const bool came_before =
-      arrival.sequence > 0 && !request.not_before.isZero() && arrival.stamp >= request.not_before;
-  if (!came_before) arrival = awaitCloud(arrival.sequence, request.timeout, request.not_before);
+  const std::uint64_t sequence = inbox_.sequence();
+  Arrival arrival = inbox_.since(request.not_before, ros::Time::now());
+  if (arrival.kind == Arrival::Kind::kTimeout)
+    arrival = awaitCloud(sequence, request.timeout, request.not_before);
   if (arrival.kind != Arrival::Kind::kCloud) {
     const bool dropped = arrival.kind == Arrival::Kind::kDropped;
     response.status = dropped ? DetectBoxesResponse::BAD_CLOUD : DetectBoxesResponse::TIMEOUT;
-    response.message = dropped ? arrival.dropped : "no cloud came on " + points_.getTopic();
+    response.message = arrival.dropped;
+    if (!dropped) {
+      const std::string why = arrival.dropped.empty() ? "" : ": " + arrival.dropped;
+      response.message = "no cloud came on " + points_.getTopic() + why;
+      if (aheadOfTheClock(inbox_.latest()))
+        response.message += "; the last one is stamped ahead of this computer's clock";
+    }
     return;
   }
   const Processed processed = process(arrival.cloud);

@@ -10,6 +10,9 @@
 namespace mixed_palletizing::adapters {
 namespace {
 
+/// Given on the command line by launch files, which put all other parameters on the server.
+constexpr const char* kLaunched = "launched";
+
 YAML::Node toYaml(XmlRpc::XmlRpcValue& value, const std::string& path) {
   YAML::Node node;
   switch (value.getType()) {
@@ -49,7 +52,12 @@ YAML::Node parameterTree(const ros::NodeHandle& private_node) {
       tree.getType() != XmlRpc::XmlRpcValue::TypeStruct) {
     return YAML::Node(YAML::NodeType::Map);
   }
-  return toYaml(tree, private_node.getNamespace());
+  YAML::Node read = toYaml(tree, private_node.getNamespace());
+  if (!read[kLaunched]) return read;
+  read.remove(kLaunched);
+  if (read.size() > 0) return read;
+  throw std::runtime_error(
+      "its parameters are gone: the ROS master that had them was started anew; start the launch file again");
 }
 
 std::string siblingName(const ros::NodeHandle& private_node, const std::string& name) {

@@ -6,6 +6,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include <mixed_palletizing/adapters/detector_server.hpp>
+#include <mixed_palletizing/adapters/master_watch.hpp>
 
 namespace mixed_palletizing::nodes {
 
@@ -14,6 +15,8 @@ class BoxDetector : public nodelet::Nodelet {
   void onInit() override {
     try {
       server_ = std::make_unique<adapters::DetectorServer>(getPrivateNodeHandle());
+      // Only says so: whether the manager ends is for the camera driver that lives in it.
+      watch_ = std::make_unique<adapters::MasterWatch>([] {});
     } catch (const std::exception& error) {
       NODELET_FATAL_STREAM("the box detector does not start: " << error.what());
       throw;  // the manager answers the loader that it failed
@@ -21,6 +24,7 @@ class BoxDetector : public nodelet::Nodelet {
   }
 
   std::unique_ptr<adapters::DetectorServer> server_;
+  std::unique_ptr<adapters::MasterWatch> watch_;
 };
 
 }  // namespace mixed_palletizing::nodes

@@ -1,5 +1,6 @@
 """What the rostests share: the simulated camera, waiting, and orders."""
 import threading
+import time
 
 import rospy
 from sensor_msgs.msg import PointCloud2
@@ -7,6 +8,9 @@ from std_srvs.srv import Empty
 
 from geometry_msgs.msg import Vector3
 from mixed_palletizing.msg import BoxArray, OrderLine
+
+
+ARRIVAL_S = 0.15  # from the call of a service until it waits for a cloud
 
 
 class Latest:
@@ -37,11 +41,27 @@ class Latest:
         with self._arrived:
             return len(self._messages)
 
+    def forget(self):
+        with self._arrived:
+            self._messages.clear()
+
     def connected(self, timeout_s=20.0):
-        end = rospy.get_time() + timeout_s
-        while self._subscriber.get_num_connections() == 0 and rospy.get_time() < end:
-            rospy.sleep(0.05)
+        end = time.monotonic() + timeout_s  # simulated time may stand still
+        while self._subscriber.get_num_connections() == 0 and time.monotonic() < end:
+            time.sleep(0.05)
         return self._subscriber.get_num_connections() > 0
+
+
+def answer_to_cloud(service, publisher, cloud):
+    """Answer of a service that waits for a cloud, and gets this one until it answers."""
+    answers = []
+    caller = threading.Thread(target=lambda: answers.append(service()), daemon=True)
+    caller.start()
+    while caller.is_alive():
+        time.sleep(ARRIVAL_S)
+        publisher.publish(cloud)
+        caller.join(5.0)
+    return answers[0]
 
 
 def capture(timeout_s=30.0):

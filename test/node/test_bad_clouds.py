@@ -1,9 +1,7 @@
 #!/usr/bin/env python3
 """Every bad cloud through the nodelet that shares its manager with the camera: refused for the right reason, and the next
 good cloud answered as if nothing had been. Parameter ~layouts: the layouts to try; ~table: a file for the counts."""
-import json
 import sys
-import threading
 import time
 import unittest
 
@@ -14,9 +12,8 @@ from mixed_palletizing.srv import Calibrate, CalibrateRequest, DetectBoxes, Dete
 from sensor_msgs.msg import PointCloud2
 
 import bad_clouds
-from cell_client import Latest, capture
-
-ARRIVAL_S = 0.15  # from the call of `detect` until it waits for a cloud
+from cell_client import Latest, answer_to_cloud, capture
+from counts import Counts
 
 
 class BadClouds(unittest.TestCase):
@@ -31,30 +28,17 @@ class BadClouds(unittest.TestCase):
         while cls.points.get_num_connections() == 0:
             rospy.sleep(0.05)
         calibrate = rospy.ServiceProxy('box_detector/calibrate', Calibrate)
-        answer = cls.call(lambda: calibrate(CalibrateRequest(cloud_count=1, timeout=20.0)), cls.cloud)
+        answer = answer_to_cloud(lambda: calibrate(CalibrateRequest(cloud_count=1, timeout=20.0)), cls.points, cls.cloud)
         assert answer.success, answer.message
-        cls.slowest_s = 0.0
-        cls.tried = cls.survived = 0
-
-    @classmethod
-    def call(cls, service, cloud):
-        """Answer of a service that waits for a cloud, and gets this one until it answers."""
-        answers = []
-        caller = threading.Thread(target=lambda: answers.append(service()), daemon=True)
-        caller.start()
-        while caller.is_alive():
-            time.sleep(ARRIVAL_S)
-            cls.points.publish(cloud)
-            caller.join(5.0)
-        return answers[0]
+        cls.counts = Counts('bad or odd cloud, then a good one')
 
     def answer_to(self, cloud):
-        return self.call(lambda: self.detect(DetectBoxesRequest(timeout=20.0)), cloud)
+        return answer_to_cloud(lambda: self.detect(DetectBoxesRequest(timeout=20.0)), self.points, cloud)
 
     def check_good(self, cloud, expected, after):
         start = time.monotonic()
         answer = self.answer_to(cloud)
-        type(self).slowest_s = max(self.slowest_s, time.monotonic() - start)
+        self.counts.recovery_s.append(time.monotonic() - start)
         self.assertEqual(answer.status, DetectBoxesResponse.OK, f'after {after}: {answer.message}')
         self.assertEqual(answer.boxes.boxes, expected, f'other boxes after {after}')
 
@@ -70,20 +54,20 @@ class BadClouds(unittest.TestCase):
         reasons = set()
         for faults in (bad_clouds.faults_of_layout, bad_clouds.faults_of_fields, bad_clouds.faults_of_content):
             for name, reason, cloud in faults(good):
-                type(self).tried += 1
+                self.counts.tried += 1
                 with self.subTest(layout=layout, cloud=name):
                     self.check_bad(name, reason, cloud)
                     self.check_good(good, expected, name)
                     reasons.add(reason)
-                    type(self).survived += 1
+                    self.counts.survived += 1
         for name, cloud in bad_clouds.odd_clouds(good):
-            type(self).tried += 1
+            self.counts.tried += 1
             with self.subTest(layout=layout, cloud=name):
                 answer = self.answer_to(cloud)
                 self.assertIn(answer.status, (DetectBoxesResponse.OK, DetectBoxesResponse.NOT_CALIBRATED),
                               f'{name}: {answer.message}')
                 self.check_good(good, expected, name)
-                type(self).survived += 1
+                self.counts.survived += 1
         return reasons
 
     def test_bad_clouds(self):
@@ -97,11 +81,7 @@ class BadClouds(unittest.TestCase):
 
     @classmethod
     def tearDownClass(cls):
-        path = rospy.get_param('~table', '')
-        if path:
-            with open(path, 'w', encoding='utf-8') as out:
-                json.dump({'test': 'bad or odd cloud, then a good one', 'tried': cls.tried, 'survived': cls.survived,
-                           'lost': cls.tried - cls.survived, 'p99_s': None, 'slowest_s': round(cls.slowest_s, 3)}, out)
+        cls.counts.write(rospy.get_param('~table', ''), with_p99=False)
 
 
 if __name__ == '__main__':

@@ -6,6 +6,10 @@ import unittest
 
 import rospy
 import rostest
+from geometry_msgs.msg import Vector3
+from mixed_palletizing.srv import ChooseNextPick, ChooseNextPickRequest, StartPallet
+
+from planner_client import start_request
 
 
 def example(*parameters):
@@ -14,8 +18,19 @@ def example(*parameters):
 
 
 class Example(unittest.TestCase):
-    def test_packs_the_order(self):
-        run = example('_order:=' + rospy.get_param('~order'))
+    def test_goes_on_with_the_order_and_packs_it(self):
+        """Another executive ended in the middle of its first pick."""
+        order = '_order:=' + rospy.get_param('~order')
+        rospy.wait_for_service('pick_planner/choose_next_pick', 30.0)
+        lines = [('a', (600, 400, 300), 2), ('b', (300, 400, 200), 3)]
+        started = rospy.ServiceProxy('pick_planner/start_pallet', StartPallet)(
+            start_request('small', lines, size=Vector3(1.2, 0.8, 0.3)))
+        self.assertEqual(started.status, 0, started.message)
+        rospy.ServiceProxy('pick_planner/choose_next_pick', ChooseNextPick)(ChooseNextPickRequest(type_ids=['a']))
+        run = example(order)
+        self.assertEqual(run.returncode, 1, run.stdout)
+        self.assertIn('_pending:=placed or _pending:=failed', run.stdout)
+        run = example(order, '_pending:=failed')
         self.assertEqual(run.returncode, 0, run.stdout)
         self.assertIn('placed 5, discarded 0', run.stdout)
 

@@ -17,6 +17,7 @@
 #include <mixed_palletizing/Calibrate.h>
 #include <mixed_palletizing/DetectBoxes.h>
 #include <mixed_palletizing/adapters/base_frame_keeper.hpp>
+#include <mixed_palletizing/adapters/camera_trigger.hpp>
 #include <mixed_palletizing/adapters/cloud_inbox.hpp>
 #include <mixed_palletizing/adapters/detector_options.hpp>
 #include <mixed_palletizing/adapters/fault_counter.hpp>
@@ -29,8 +30,8 @@ class DetectionTuning;
 class DetectorOutputs;
 class DetectorDiagnostics;
 
-/// Topics and services of the detector (see docs/ros_api.md). Has threads of its own, one for clouds and some
-/// for services that wait, so that neither blocks the other nor a nodelet manager. No callback lets an
+/// Topics and services of the detector (see docs/ros_api.md). Has threads of its own, one for clouds, some
+/// for services that wait and one for diagnostics, so that none blocks the others or a nodelet manager. No callback lets an
 /// exception out.
 class DetectorServer {
  public:
@@ -70,16 +71,22 @@ class DetectorServer {
   /// The next cloud after arrival `sequence` that is not older than `not_before`; triggers the camera when its
   /// capture service is known.
   Arrival awaitCloud(std::uint64_t sequence, double timeout_s, const ros::Time& not_before);
-  /// True when the camera was asked for a cloud.
+  /// True when the camera was asked for a cloud and answered.
   bool triggerCamera(std::chrono::steady_clock::time_point deadline);
+  bool capture() const;
+  std::string captureService() const;
+  std::string cameraSilent() const;  // for people
 
   const DetectorOptions options_;
   ros::CallbackQueue cloud_queue_;
   ros::CallbackQueue service_queue_;
+  ros::CallbackQueue diagnostics_queue_;
   ros::NodeHandle cloud_node_;    // calls back on the cloud thread
   ros::NodeHandle service_node_;  // calls back on the service threads
+  ros::NodeHandle diagnostics_node_;
   FaultCounter drops_;
   CloudInbox inbox_;
+  CameraTrigger camera_;
   BaseFrameKeeper base_frame_;
   std::unique_ptr<DetectorOutputs> outputs_;
   std::unique_ptr<DetectorDiagnostics> diagnostics_;
@@ -100,6 +107,7 @@ class DetectorServer {
   ros::SteadyTimer diagnostics_timer_;
   ros::AsyncSpinner cloud_spinner_;
   ros::AsyncSpinner service_spinner_;
+  ros::AsyncSpinner diagnostics_spinner_;
   std::unique_ptr<DetectionTuning> tuning_;
 };
 

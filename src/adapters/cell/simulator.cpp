@@ -9,6 +9,7 @@
 #include <mixed_palletizing/adapters/cloud_message.hpp>
 #include <mixed_palletizing/adapters/message_parts.hpp>
 #include <mixed_palletizing/adapters/parameters.hpp>
+#include <mixed_palletizing/adapters/transform_lookup.hpp>
 #include <mixed_palletizing/geometry/rectangle.hpp>
 #include <mixed_palletizing/simulation/capture.hpp>
 
@@ -127,10 +128,11 @@ bool CellSimulator::onTake(TakeBoxRequest& request, TakeBoxResponse& response) {
 }
 
 void CellSimulator::take(const TakeBoxRequest& request, TakeBoxResponse& response) {
-  const auto camera_from_frame = transforms_.lookupTransform(
-      options_.frame_id, request.point.header.frame_id, ros::Time(0), ros::Duration(options_.tf_timeout_s));
+  const adapters::FoundTransform camera_from_frame = adapters::lookUpTransform(
+      transforms_, options_.frame_id, request.point.header.frame_id, ros::Time(0), options_.tf_timeout_s);
+  if (!camera_from_frame.transform) throw std::runtime_error(camera_from_frame.problem);
   geometry_msgs::PointStamped point;
-  tf2::doTransform(request.point, point, camera_from_frame);
+  tf2::doTransform(request.point, point, *camera_from_frame.transform);
   const Eigen::Vector3d in_world = scene_.camera.world_from_camera * adapters::toEigen(point.point);
   const auto index = area_.find(in_world, options_.take_tolerance_m);
   if (!index) {

@@ -1,0 +1,216 @@
+#!/usr/bin/env python3
+"""Many clients at once, clouds faster than they can be worked on, and both for long: every call is answered, the latest cloud
+wins, and memory, threads and files stay as they are. Parameters: see load.test."""
+import os
+import random
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.realpath(__file__)), '..', 'torture'))
+
+import rospy  # noqa: E402
+import rostest  # noqa: E402
+from diagnostic_msgs.msg import DiagnosticArray  # noqa: E402
+from mixed_palletizing.msg import BoxArray  # noqa: E402
+from mixed_palletizing.srv import (Calibrate, CalibrateRequest, CalibrateResponse, ChooseNextPickRequest,  # noqa: E402
+                                   ChooseNextPickResponse, DetectBoxes, DetectBoxesRequest, DetectBoxesResponse,
+                                   ReportPickRequest, ReportPickResponse, StartPalletResponse, UndoLastResponse)
+from sensor_msgs.msg import PointCloud2  # noqa: E402
+
+from bad_clouds import replaced  # noqa: E402
+from cell_client import Latest, capture  # noqa: E402
+from counts import Counts  # noqa: E402
+from killed_planner import PlannerProcess  # noqa: E402
+from planner_client import PlannerClient, start_request  # noqa: E402
+from processes import Use, pid_of  # noqa: E402
+
+LINES = [('a', (100, 100, 50), 60), ('b', (150, 100, 50), 60)]
+CALLS = 6          # of each client
+FLOOD_S = 5.0
+OLD_S = 1.5        # a queue that grows makes answers older than this within the flood
+LOOKS = 20         # at memory, during the soak
+
+
+class Flood:
+    """Clouds at a fixed rate while the `with` lasts."""
+
+    def __init__(self, publisher, cloud, rate_hz):
+        self._publisher, self._cloud, self._period_s = publisher, cloud, 1.0 / rate_hz
+        self._ends = threading.Event()
+        self._thread = threading.Thread(target=self._publish)
+        self.published = {}  # stamp: when, on the steady clock
+
+    def __enter__(self):
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_):
+        self._ends.set()
+        self._thread.join()
+
+    def _publish(self):
+        while not self._ends.wait(self._period_s):
+            self.last = publish(self._publisher, self._cloud)
+            self.published[self.last] = time.monotonic()
+
+
+def publish(publisher, cloud):
+    cloud = replaced(cloud)
+    cloud.header.stamp = rospy.Time.now()
+    publisher.publish(cloud)
+    return cloud.header.stamp
+
+
+def at_once(count, work):
+    """work(i) in `count` threads; what they returned."""
+    results, errors = [None] * count, []
+
+    def run(i):
+        try:
+            results[i] = work(i)
+        except Exception as error:  # pylint: disable=broad-except
+            errors.append(error)
+    threads = [threading.Thread(target=run, args=(i,)) for i in range(count)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    if errors:
+        raise AssertionError('%d of %d clients failed: %s' % (len(errors), count, errors[0])) from errors[0]
+    return results
+
+
+class Load(PlannerClient):
+    @classmethod
+    def setUpClass(cls):
+        cls.counts = Counts('clients at once, flood of clouds, soak')
+        cls.clients = rospy.get_param('~clients', 50)
+        cls.rate_hz = rospy.get_param('~rate_hz', 60)
+        cls.cycles = rospy.get_param('~cycles', 160)
+        cls.rng = random.Random(rospy.get_param('~seed', 1))
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.planner = PlannerProcess(os.path.join(cls.folder.name, 'p.journal'), None, ('_time_budget_s:=0.01',))
+        cls.planner.start()
+        super().setUpClass()
+        cls.boxes = Latest('boxes', BoxArray)
+        cls.diagnostics = Latest('/diagnostics', DiagnosticArray)
+        cls.points = rospy.Publisher('test/points', PointCloud2, queue_size=1)
+        cls.cloud = capture()
+        for name, kind in (('detect', DetectBoxes), ('calibrate', Calibrate)):
+            rospy.wait_for_service('box_detector/' + name, 30.0)
+            cls.services[name] = rospy.ServiceProxy('box_detector/' + name, kind)
+        with Flood(cls.points, cls.cloud, 5):
+            answer = cls.services['calibrate'](CalibrateRequest(cloud_count=1, timeout=20.0))
+        assert answer.success, answer.message
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.planner.kill()
+        cls.folder.cleanup()
+        cls.counts.write(rospy.get_param('~table', ''), with_p99=False)
+
+    def timed(self, name, *arguments, **values):
+        start = time.monotonic()
+        answer = self.services[name](*arguments, **values)
+        self.counts.recovery_s.append(time.monotonic() - start)
+        return answer
+
+    def survived(self, count):
+        self.counts.tried += count
+        self.counts.survived += count
+
+    def client(self, i):
+        """One of many executives; how many changes it was told of, as revisions."""
+        rng = random.Random(i)
+        changes = []
+        for call in range(CALLS):
+            types = [rng.choice(LINES)[0] for _ in range(rng.randint(1, 3))]
+            choice = self.timed('choose_next_pick', ChooseNextPickRequest(request_id='%d %d' % (i, call), type_ids=types))
+            self.assertIn(choice.status, (ChooseNextPickResponse.PICK, ChooseNextPickResponse.NONE_FITS,
+                                          ChooseNextPickResponse.ORDER_COMPLETE, ChooseNextPickResponse.UNKNOWN_BOX),
+                          choice.message)
+            outcome = rng.choice([ReportPickRequest.PLACED, ReportPickRequest.DISCARDED])
+            if choice.status == ChooseNextPickResponse.PICK:
+                report = self.timed('report_pick', ReportPickRequest(decision_id=choice.decision_id, outcome=outcome))
+                self.assertIn(report.status, (ReportPickResponse.OK, ReportPickResponse.UNKNOWN_DECISION), report.message)
+                changes += [report.revision] if report.status == ReportPickResponse.OK else []
+            self.assertEqual(self.timed('get_pallet_state').status, 0)
+            self.assertEqual(self.timed('start_pallet', start_request()).status, StartPalletResponse.PALLET_OPEN)
+            if rng.random() < 0.2:
+                undone = self.timed('undo_last')
+                self.assertIn(undone.status, (UndoLastResponse.OK, UndoLastResponse.NOTHING_TO_UNDO), undone.message)
+                changes += [undone.revision] if undone.status == UndoLastResponse.OK else []
+        return changes
+
+    def test_1_clients_of_the_planner(self):
+        self.start(lines=LINES)
+        before = self.state().state.revision
+        changes = [revision for told in at_once(self.clients, self.client) for revision in told]
+        after = self.state().state.revision
+        self.assertEqual(sorted(changes), list(range(before + 1, after + 1)), 'a change lost, or told twice')
+        self.survived(self.clients * CALLS)
+
+    def test_2_clients_of_the_detector(self):
+        detect = lambda timeout_s: lambda i: self.timed('detect', DetectBoxesRequest(timeout=timeout_s)).status
+        with Flood(self.points, self.cloud, self.rate_hz):
+            self.assertEqual(set(at_once(self.clients, detect(20.0))), {DetectBoxesResponse.OK})
+            told = at_once(self.clients, lambda i: self.timed('calibrate', CalibrateRequest(1, 20.0)).status)
+        self.assertLessEqual(set(told), {CalibrateResponse.OK, CalibrateResponse.BUSY})
+        self.assertIn(CalibrateResponse.OK, told)
+        time.sleep(1.0)  # the last cloud
+        before = self.diagnostics.count()
+        self.assertEqual(set(at_once(self.clients, detect(0.3))), {DetectBoxesResponse.TIMEOUT})
+        self.assertGreater(self.diagnostics.count(), before, 'waiting clients silence the diagnostics')
+        self.survived(3 * self.clients)
+
+    def test_3_latest_cloud_wins(self):
+        came = []
+        listener = rospy.Subscriber('boxes', BoxArray, lambda m: came.append((m.header.stamp, time.monotonic())))
+        with Flood(self.points, self.cloud, self.rate_hz) as flood:
+            time.sleep(FLOOD_S)
+        self.assertIsNotNone(self.boxes.wait_for(lambda m: m.header.stamp == flood.last, 20.0), 'the last cloud got lost')
+        listener.unregister()
+        came = [(stamp, when) for stamp, when in came if stamp in flood.published]
+        self.assertGreater(len(came), 5)
+        self.assertEqual([stamp for stamp, _ in came], sorted({stamp for stamp, _ in came}), 'out of sequence')
+        ages = sorted(when - flood.published[stamp] for stamp, when in came[len(came) // 2:])
+        self.assertLess(ages[len(ages) // 2], OLD_S, 'clouds wait in a queue')
+        print('%d clouds at %d Hz, %d worked on, median age of the answers %.2f s' %
+              (len(flood.published), self.rate_hz, len(came), ages[len(ages) // 2]))
+        self.survived(len(flood.published))
+
+    def test_4_soak(self):
+        uses = [Use('detector', pid_of('/manager')), Use('planner', pid_of('/pick_planner'))]
+        self.start(lines=LINES)
+        for cycle in range(self.cycles):
+            publish(self.points, self.cloud)
+            self.one_pick(cycle)
+            if (cycle + 1) % max(1, self.cycles // LOOKS) == 0:
+                last = publish(self.points, self.cloud)
+                self.assertIsNotNone(self.boxes.wait_for(lambda m: m.header.stamp == last, 20.0))
+                time.sleep(0.3)
+                for use in uses:
+                    use.look()
+                self.boxes.forget()
+        self.survived(self.cycles)
+        for use in uses:
+            print(use)
+            self.assertLess(use.growth(), rospy.get_param('~growth', 0.05), use)
+            self.assertLessEqual(use.threads[-1], use.threads[LOOKS // 4], use)
+            self.assertLessEqual(use.files[-1], use.files[LOOKS // 4], use)
+
+    def one_pick(self, cycle):
+        choice = self.timed('choose_next_pick', ChooseNextPickRequest(type_ids=[self.rng.choice(LINES)[0]]))
+        if choice.status != ChooseNextPickResponse.PICK:
+            self.services['close_pallet']()
+            self.start(pallet_id='soak %d' % cycle, lines=LINES)
+            return
+        self.assertEqual(self.timed('report_pick', ReportPickRequest(decision_id=choice.decision_id)).status, 0)
+
+
+if __name__ == '__main__':
+    rospy.init_node('test_load')
+    rostest.rosrun('mixed_palletizing', 'load', Load, sys.argv)
