@@ -10,7 +10,7 @@ set -euo pipefail
 # One line for a test: torture NAME COMMAND... A test prints what it found, and `ROW {...}` lines for the table
 # (test/torture/report_row.py); it fails when anything was lost.
 tests() {
-  local rostest=$root/test/torture/rostest_row.sh
+  local rostest=$root/test/torture/rostest_row.py
   torture kill_planner /usr/bin/python3 "$root/test/torture/kill_planner.py" --kills "$(amount 200 1000)" --seed "$seed"
   torture kill_cell /usr/bin/python3 "$root/test/torture/kill_cell.py" --kills "$(amount 40 1000)" --seed "$seed"
   torture journal_damage "$build/journal_damage" --cut-step 1 --flips "$(amount 10000 100000)" \

@@ -17,8 +17,9 @@ def free_port():
 
 
 def main():
-    parser = argparse.ArgumentParser(description='Kills (SIGKILL) camera, detector, planner, executive and master in turn, at '
-                                     'random instants, while boxes are packed. Starts a master of its own.')
+    parser = argparse.ArgumentParser(description='Kills (SIGKILL) camera, detector (its manager, its loader), planner, '
+                                     'executive and master in turn, at random instants, while boxes are packed. Starts a '
+                                     'master of its own.')
     parser.add_argument('--kills', type=int, default=40, help='how often (40)')
     parser.add_argument('--seed', type=int, default=1, help='of the instants (1)')
     arguments = parser.parse_args()
@@ -40,9 +41,11 @@ def main():
     everything = [seconds for times in killings.recovery_s.values() for seconds in times] or [0.0]
     for victim, times in killings.recovery_s.items():
         if times:
-            print('%-9s killed %d times; next box placed after: median %.1f s, p99 %.1f s, slowest %.1f s' %
+            print('%-9s killed %d times; two boxes placed after: median %.1f s, p99 %.1f s, slowest %.1f s' %
                   (victim, len(times), percentile(times, 0.5), percentile(times, 0.99), max(times)))
-    print('%d kills, %d boxes placed, executive started %d times' % (killings.tried, killings.boxes, killings.starts))
+    print('%d kills, %d boxes placed, executive started %d times, in the middle of a pick %d times: %d of these boxes stood on the '
+          'pallet' % (killings.tried, killings.boxes, killings.starts, sum(killings.pending.values()),
+                      killings.pending['placed']))
     print_row('camera, detector, planner, executive, master killed in turn', killings.tried,
               max(0, killings.tried - bool(fault)), int(bool(fault)), percentile(everything, 0.99), max(everything))
     return 1 if fault else 0

@@ -1,4 +1,4 @@
-"""A cell at work whose processes are killed: camera, manager of the detector, planner, executive, master."""
+"""A cell at work whose processes are killed: camera, the detector's manager and its loader, planner, executive, master."""
 import json
 import os
 import random
@@ -18,10 +18,11 @@ sys.path.insert(0, os.path.join(HERE, '..', 'node'))
 
 from processes import pid_of  # noqa: E402
 
-NODES = {'camera': '/zivid_camera/camera', 'manager': '/camera_manager', 'planner': '/pick_planner'}
-VICTIMS = [*NODES, 'executive', 'master']
+NODES = {'camera': '/zivid_camera/camera', 'manager': '/camera_manager', 'loader': '/box_detector', 'planner': '/pick_planner'}
+VICTIMS = ['executive', 'manager', 'camera', 'master', 'executive', 'planner', 'loader']
 BOXES = 40           # of a pallet
-LONGEST_LIFE_S = 3.0  # from the first box after a kill to the next kill
+LONGEST_LIFE_S = 3.0  # from the recovery to the next kill
+BOND_S = 6.0  # until the manager notices that the loader is gone, and unloads the detector
 GOES_ON_S = 90.0
 STOPS_S = 60.0
 POLL_S = 0.02
@@ -94,6 +95,7 @@ class Work:
         self._process = None
         self.placed_before = 0  # on pallets that are complete
         self.starts = 0
+        self.pending = {'placed': 0, 'failed': 0}  # picks in the middle of which the executive ended
 
     def on_pallet(self):
         """What stands there, box by box."""
@@ -116,7 +118,9 @@ class Work:
         words = [sys.executable, os.path.join(HERE, 'robot_executive.py'), '_order:=' + self._orders,
                  '_index:=%d' % self._index, '_placed:=' + self._placed()]
         if state.has_pending:
-            words.append('_pending:=' + self._look_at_pallet(state))
+            outcome = self._look_at_pallet(state)
+            self.pending[outcome] += 1
+            words.append('_pending:=' + outcome)
         self._process = subprocess.Popen(words, stdout=self._log, stderr=self._log)
         self.starts += 1
 
@@ -174,14 +178,14 @@ class Work:
 
 
 class CellKillings:
-    """Kills one process after the other while boxes are packed; how long until the next box stands on the pallet."""
+    """Kills one process after the other while boxes are packed; how long until the next boxes stand on the pallet."""
 
     def __init__(self, folder, port, log, seed, kills):
         self._rng = random.Random(seed)
         self._cell = Cell(folder, port, log)
         self._work = Work(folder, log, kills)
         self._kills = kills
-        self.recovery_s = {victim: [] for victim in VICTIMS}
+        self.recovery_s = {victim: [] for victim in sorted(set(VICTIMS))}
         self.tried = 0
 
     def run(self, on_kill=lambda tried: None):
@@ -206,7 +210,10 @@ class CellKillings:
         while not (self._work.kill() if victim == 'executive' else self._cell.kill(victim)):
             demand(time.monotonic() < end, 'there is no %s to kill' % victim)
             self._work_on(POLL_S)
-        return time.monotonic(), self._work.count()
+        begin = time.monotonic()
+        if victim == 'loader':
+            self._work_on(BOND_S)
+        return begin, self._work.count()
 
     def _work_on(self, seconds):
         end = time.monotonic() + seconds
@@ -215,8 +222,8 @@ class CellKillings:
             time.sleep(POLL_S)
 
     def _goes_on(self, begin, count, may_end):
-        """Seconds from `begin` until one more box stands on the pallet."""
-        while self._work.count() <= count:
+        """Seconds from `begin` until two more boxes stand on the pallet: the first may have been on its way."""
+        while self._work.count() < count + 2:
             demand(time.monotonic() - begin < GOES_ON_S, 'no box for %.0f s' % GOES_ON_S)
             if self._cell.ended():
                 demand(may_end, 'roslaunch ended by itself')
@@ -233,3 +240,7 @@ class CellKillings:
     @property
     def starts(self):
         return self._work.starts
+
+    @property
+    def pending(self):
+        return self._work.pending
