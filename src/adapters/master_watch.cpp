@@ -1,3 +1,4 @@
+#include <exception>
 #include <utility>
 
 #include <XmlRpcValue.h>
@@ -52,7 +53,7 @@ void MasterWatch::watch() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!ends_.wait_for(lock, period_, [this] { return ending_; })) {
     lock.unlock();
-    const MasterState now = ask_();
+    const MasterState now = askOr(before);
     forgot = now == MasterState::kForgot ? forgot + 1 : 0;
     say(before, now);
     before = now;
@@ -65,6 +66,15 @@ void MasterWatch::watch() {
       return;
     }
     lock.lock();
+  }
+}
+
+/// Out of memory the question itself may fail: then the next one tells.
+MasterState MasterWatch::askOr(MasterState before) const {
+  try {
+    return ask_();
+  } catch (const std::exception&) {
+    return before;
   }
 }
 

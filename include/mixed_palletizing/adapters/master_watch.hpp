@@ -34,6 +34,7 @@ class MasterWatch {
 
  private:
   void watch();
+  MasterState askOr(MasterState before) const;
   void say(MasterState before, MasterState now) const;
 
   const std::function<void()> on_forgotten_;
