@@ -79,17 +79,22 @@ void FittedRace::fit() {
       futures_.onlyOne() ? kMostPlaysOfOneFuture : std::numeric_limits<std::size_t>::max();
   for (; plays <= most && !stop_() && hardlyPerfect(); plays *= 2) {
     if (!policy.search(plays, stop_)) return;
-    if (policy.better(policy.weights(), heat_->weights, stop_)) adopt(policy.weights(), plays);
+    const int rounds = static_cast<int>(plays) / options_.best.candidates;
+    if (policy.better(policy.weights(), heat_->weights, stop_)) {
+      adopt(policy.weights(), rounds);
+    } else {
+      runHeat(*heat_, rounds);
+    }
   }
 }
 
-void FittedRace::adopt(const PolicyWeights& weights, std::size_t plays) {
+void FittedRace::adopt(const PolicyWeights& weights, int rounds) {
   std::unique_ptr<Heat> next = heatWith(weights);
   if (!next->race || stop_()) return;
-  runHeat(*next, static_cast<int>(plays) / options_.best.candidates);
+  runHeat(*next, rounds);
   const PlayoutRace& race = *next->race;
-  const std::size_t rounds = race.runners()[race.leader()].ends.size();
-  if (rounds >= kLeastRounds || futures_.onlyOne()) heat_ = std::move(next);
+  const std::size_t played = race.runners()[race.leader()].ends.size();
+  if (played >= (futures_.onlyOne() ? 1 : kLeastRounds)) heat_ = std::move(next);
 }
 
 }  // namespace mixed_palletizing::planning

@@ -42,7 +42,7 @@ class FittedRace {
   void runHeat(Heat& heat, std::optional<int> samples);
   bool hardlyPerfect() const;
   void fit();
-  void adopt(const PolicyWeights& weights, std::size_t plays);
+  void adopt(const PolicyWeights& weights, int rounds);
 
   const Situation& situation_;
   const std::vector<int>& types_;
