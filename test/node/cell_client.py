@@ -45,6 +45,10 @@ class Latest:
         with self._arrived:
             self._messages.clear()
 
+    def close(self):
+        self._subscriber.unregister()
+        self.forget()
+
     def connected(self, timeout_s=20.0):
         end = time.monotonic() + timeout_s  # simulated time may stand still
         while self._subscriber.get_num_connections() == 0 and time.monotonic() < end:

@@ -95,6 +95,8 @@ class Load(PlannerClient):
         cls.planner = PlannerProcess(os.path.join(cls.folder.name, 'p.journal'), None, ('_time_budget_s:=0.01',))
         cls.planner.start()
         super().setUpClass()
+        cls.states.close()  # they would pile up here
+        cls.markers.close()
         cls.boxes = Latest('boxes', BoxArray)
         cls.diagnostics = Latest('/diagnostics', DiagnosticArray)
         cls.points = rospy.Publisher('test/points', PointCloud2, queue_size=1)
