@@ -38,13 +38,16 @@ Decision feasibleOptions(const Situation& situation, const PlannerOptions& optio
                          const packing::StopCallback& stop) {
   Decision decision;
   bool any = false;
+  std::vector<std::optional<std::size_t>> first_of_type(situation.types.size());
+  decision.options.reserve(situation.available.size());
   for (std::size_t i = 0; i < situation.available.size(); ++i) {
-    const std::size_t first = firstOfType(situation.available, i);
-    if (first < i) {
-      decision.options.push_back(decision.options[first]);
+    const int type = situation.available[i];
+    std::optional<std::size_t>& first = first_of_type[static_cast<std::size_t>(type)];
+    if (first) {
+      decision.options.push_back(decision.options[*first]);
       continue;
     }
-    const int type = situation.available[i];
+    first = i;
     const packing::ItemType& item = situation.types[static_cast<std::size_t>(type)];
     PickOption option;
     const packing::StopCallback may_stop = any ? stop : packing::StopCallback();
