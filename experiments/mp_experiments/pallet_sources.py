@@ -101,7 +101,7 @@ def from_file(path, tools, pallet='', instances='', name=''):
         if data.startswith(SQLITE):
             with tempfile.TemporaryDirectory() as folder:
                 export = pathlib.Path(folder) / 'pallet.json'
-                tools.run('pallet_journal', ['--journal', path, '--json', export, *(['--pallet', pallet] if pallet else [])])
+                tools.run('pallet_journal', ['--journal', path, '--json', export, *(['--pallet=' + pallet] if pallet else [])])
                 return [pallet_history.from_journal(_json(path, export.read_text(encoding='utf-8')))]
         if instances:
             result = _named(path, _lines(path), name)
