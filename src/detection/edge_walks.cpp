@@ -168,6 +168,8 @@ WalkScale walkScale(const LevelPiece& piece, const SensorNoise& noise, const Ray
   scale.band_m = std::max(kLeastBand, kBandSigmas * std::hypot(scale.noise_m, piece.rms_m)) +
                  (scale.flat ? 0.0 : kUnevenBand);
   scale.bend_m = scale.flat ? scale.band_m : std::max(kLeastBand, kBandSigmas * scale.noise_m) + kUnevenBend;
+  // Errors that neighbours share are those of windows.
+  scale.lost_share = noise.ripple_m > scale.noise_m ? 0.5 : 0.0;
   scale.jump_m = std::max(kLeastJump, kJumpSigmas * depth_noise);
   return scale;
 }

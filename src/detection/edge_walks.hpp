@@ -1,9 +1,11 @@
 // Outline of a level piece: walks along rows and columns outwards until the surface ends, and what ends it.
 //
-// A side lies between the last pixel on the surface and the first one beyond. Mixed pixels and drop-outs between
-// the two belong to either side with equal right, so the middle is taken; on a face that goes on without a jump
-// the pixels above a threshold are counted, which is free of bias whatever the noise. Places are where the
-// border's ray reaches the height of the surface (or of the threshold): noise along the ray does not move them.
+// A side lies between the last pixel on the surface and the first one beyond. Mixed pixels between the two belong to
+// either side with equal right, so their middle is taken; pixels without data are the shadow of the side, but for
+// a sensor that measures by windows of pixels, which loses both sides of an edge alike. On a face
+// that goes on without a jump the pixels above a threshold are counted, which is free of bias whatever the noise.
+// Places are where the border's ray reaches the height of the surface (or of the threshold): noise along the ray does
+// not move them.
 #pragma once
 
 #include <cstdint>
@@ -60,7 +62,8 @@ struct WalkScale {
   double band_m = 0.0;   ///< pixels this near to the surface are on it
   double bend_m = 0.0;   ///< the same where the surface is followed from cell to cell; band_m of a flat one
   double jump_m = 0.0;   ///< depths of neighbours that differ by more are two surfaces
-  bool flat = true;      ///< the piece is its plane; else every cell its own level
+  double lost_share = 0.0;  ///< of the pixels without data before a jump, that belong to the surface
+  bool flat = true;         ///< the piece is its plane; else every cell its own level
 };
 
 WalkScale walkScale(const LevelPiece& piece, const SensorNoise& noise, const RayModel& rays);

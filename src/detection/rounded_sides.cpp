@@ -44,8 +44,8 @@ struct Face {
   double drop_m = 0.0;    ///< of the place on it, below the surface
 };
 
-/// Radius of a round of which the surface ends `end_drop_m` below its begin, and goes on to the faces: to places that are
-/// on the round themselves when they lie higher than its end.
+/// Radius of a round of which the surface ends `end_drop_m` below its begin, and goes on to the faces: to places that
+/// are on the round themselves when they lie higher than its end.
 double radiusOf(const std::array<std::optional<Face>, 4>& faces, double end_drop_m) {
   double low = 0.0;
   double high = kLargestRadius;
@@ -105,8 +105,8 @@ class Side {
     return restOf(radius_m, drop) + drop * tangent_ - past_m_;
   }
 
-  /// What may be missing of a side that ends at a jump, by the drop of its last pixels: those of a sharp edge lie on the
-  /// surface.
+  /// What may be missing of a side that ends at a jump, by the drop of its last pixels: those of a sharp edge lie on
+  /// the surface.
   double possibleRest(const std::vector<EdgeSample>& samples) {
     if (!(tangent_ > 0.0) || !readEnds(samples) || bends_ > values_.size()) return 0.0;
     const double drop = median(values_);

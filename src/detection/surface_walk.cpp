@@ -151,8 +151,10 @@ bool SurfaceWalk::goesOn(int beyond) const {
 
 double SurfaceWalk::mixedShare(int beyond) const {
   if (beyond > 0 && beyond - last_ <= kMixed) {
-    const int between = beyond - last_ - 1;
-    return faceInView() ? 0.0 : 0.5 * between;
+    if (faceInView()) return 0.0;
+    double share = 0.0;
+    for (int i = last_ + 1; i < beyond; ++i) share += isNumber(off(i)) ? 0.5 : scale_.lost_share;
+    return share;
   }
   int mixed = 0;
   while (mixed < 2 && inside(last_ + mixed + 1) && isNumber(off(last_ + mixed + 1))) ++mixed;

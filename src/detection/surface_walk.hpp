@@ -66,8 +66,9 @@ class SurfaceWalk {
 
   bool goesOn(int beyond) const;
 
-  /// Pixels beyond the last one on the surface that count as the surface's: mixed pixels and drop-outs belong to
-  /// either side with equal right, those before a shadow are the surface's own, those of a steep face are not.
+  /// Pixels beyond the last one on the surface that count as the surface's: mixed pixels belong to either side with
+  /// equal right, those before a shadow are the surface's own, those of a steep face are not; what has no data is a
+  /// shadow, narrow as it may be, but for the share of the scale.
   double mixedShare(int beyond) const;
 
   /// Whether the camera stands on the outer side of what ends here.

@@ -8,8 +8,8 @@ namespace {
 
 // The floor under the box is not seen; it strays from the plane by a share of the floor's own roughness.
 constexpr double kHiddenFloorShare = 0.3;
-// Of the unevenness, that the mean height of a top may be off by: when it is seen all over, when parts are not seen, and
-// when sides are not.
+// Of the unevenness, that the mean height of a top may be off by: when it is seen all over, when parts are not seen,
+// and when sides are not.
 constexpr double kUnevenShare = 0.04;
 constexpr double kUnevenShareParts = 0.08;
 constexpr double kUnevenShareOpen = 0.25;

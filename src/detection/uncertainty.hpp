@@ -10,8 +10,8 @@
 
 namespace mixed_palletizing::detection {
 
-/// Fills size_stddev and pose_covariance of `box` (yaw, size and top_visibility already set, from `fit`). A side that was not found
-/// may lie anywhere up to the largest box: its size gets the standard deviation of that range.
+/// Fills size_stddev and pose_covariance of `box` (yaw, size and top_visibility already set, from `fit`). A side that
+/// was not found may lie anywhere up to the largest box: its size gets the standard deviation of that range.
 void estimateUncertainty(const RectangleFit& fit, const TopSurface& top, double ripple_m, double max_side_m,
                          DetectedBox& box);
 

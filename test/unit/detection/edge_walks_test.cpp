@@ -73,5 +73,24 @@ TEST(EdgeWalks, endNowhereInsideOfAPlainTop) {
   }
 }
 
+TEST(EdgeWalks, aNarrowShadowBelongsToNoTop) {
+  for (int i = 0; i < 4; ++i) {
+    SCOPED_TRACE("seed " + std::to_string(64 + i));
+    Scene scene = test::sceneRecipe(0.0002, 1280, 800).scene;
+    scene.has_marker = false;
+    SceneBox box;
+    box.size_m = {0.2, 0.15, 0.08};
+    box.yaw_rad = 0.1 + 0.4 * i;
+    scene.boxes = {box};
+    scene.camera.world_from_camera = simulation::lookAt({0.02, -0.03, 1.2}, {0.0, 0.0, 0.0});
+    scene.camera.projector_m = Eigen::Vector3d(0.02 + 0.01 * i, 0.0, 0.0);  // shadows of 1.4 to 3.6 mm
+    const auto capture = simulation::capture(scene, 64 + static_cast<std::uint64_t>(i));
+    BoxDetector detector{DetectionOptions()};
+    const Detections found = detector.detect(capture.cloud.view(), scene.camera.world_from_camera);
+    ASSERT_EQ(found.boxes.size(), 1u);
+    EXPECT_LT((found.boxes[0].size - box.size_m).head<2>().cwiseAbs().maxCoeff(), 0.0004);
+  }
+}
+
 }  // namespace
 }  // namespace mixed_palletizing::detection
