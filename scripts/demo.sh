@@ -103,7 +103,5 @@ wait "$launch" || code=$?
 [ "$code" -eq 0 ] || die "the cell ended with exit code $code"
 [ -s "$report" ] || die "the order was not completed: no report was written"
 /usr/bin/python3 "$root/scripts/lib/show_report.py" "$report"
-page=${report%.json}.html
-/usr/bin/python3 "$root/experiments/pallet_report" "$report" --out "$page" >/dev/null
-say "report: $page, $report${screenshot:+, picture: $screenshot}"
-say "times: $times"
+say "report: ${report%.json}.html, $report${screenshot:+, picture: $screenshot}"
+say "times: $times; to go on: source $workspace/devel/setup.bash"

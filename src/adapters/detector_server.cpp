@@ -22,6 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kWarningInterval(5);
 constexpr double kDiagnosticsPeriodS = 1.0;
+constexpr int kTicksToPublish = 4;            // of that period: for the camera's driver to come up
 constexpr std::uint32_t kServiceThreads = 4;  // that many callers can wait for clouds at a time
 
 ros::NodeHandle onQueue(ros::NodeHandle node, ros::CallbackQueue* queue) {
@@ -76,6 +77,11 @@ DetectorServer::~DetectorServer() {
   cloud_spinner_.stop();
 }
 
+void DetectorServer::warnWithoutPublisher() {
+  ticks_without_publisher_ = points_.getNumPublishers() == 0 ? ticks_without_publisher_ + 1 : 0;
+  if (ticks_without_publisher_ == kTicksToPublish) ROS_WARN_STREAM("no cloud yet: " << silence());
+}
+
 void DetectorServer::onCloud(const sensor_msgs::PointCloud2ConstPtr& message) {
   try {
     const CheckedCloud checked = checkCloud(*message);
@@ -92,7 +98,7 @@ void DetectorServer::onCloud(const sensor_msgs::PointCloud2ConstPtr& message) {
     cloud.view = *checked.view;
     cloud.sequence = inbox_.accept(cloud, ros::Time::now());
     if (options_.calibrate_on_start && !base_frame_.calibrated()) calibrateWith(cloud);
-    if (outputs_->wanted()) process(cloud);
+    if (outputs_->wanted() && !isForCalibration()) process(cloud);
   } catch (const std::exception& error) {
     countFault(error);
   }
@@ -109,9 +115,15 @@ void DetectorServer::countFault(const std::exception& fault) noexcept {
 void DetectorServer::reportDiagnostics() {
   try {
     diagnostics_->update();
+    warnWithoutPublisher();
   } catch (const std::exception& error) {
     countFault(error);
   }
+}
+
+bool DetectorServer::isForCalibration() {
+  return !base_frame_.calibrated() &&
+         !std::unique_lock<std::mutex>(calibrating_, std::try_to_lock).owns_lock();
 }
 
 DetectorServer::Processed DetectorServer::process(const AcceptedCloud& cloud) {

@@ -43,7 +43,7 @@ Arrival DetectorServer::awaitCloud(std::uint64_t sequence, double timeout_s, con
     Arrival arrival = inbox_.waitAfter(sequence, patience);
     if (arrival.kind == Arrival::Kind::kTimeout) {
       if (Clock::now() < deadline) continue;
-      if (refused) arrival.dropped = cameraSilent();
+      arrival.dropped = refused ? cameraSilent() : silence();
     }
     const bool too_old = arrival.kind == Arrival::Kind::kCloud && arrival.stamp < not_before;
     if (!too_old) return arrival;
@@ -72,6 +72,15 @@ std::string DetectorServer::cameraSilent() const {
 
 std::string DetectorServer::captureService() const {
   return siblingName(service_node_, options_.capture_service);
+}
+
+std::string DetectorServer::silence() const {
+  if (points_.getNumPublishers() == 0) {
+    return "nobody publishes on " + points_.getTopic() +
+           "; rostopic list shows what there is, the launch argument points names the topic";
+  }
+  if (!options_.capture_service.empty()) return "";
+  return "a camera that captures on request is triggered when capture_service names its service";
 }
 
 bool DetectorServer::onDetect(DetectBoxesRequest& request, DetectBoxesResponse& response) {

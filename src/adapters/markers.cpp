@@ -18,15 +18,15 @@ constexpr std::uint32_t kGood = 0x2ca02c;
 constexpr std::uint32_t kFlagged = 0xe6b800;
 constexpr std::uint32_t kPartial = 0xff7f0e;
 constexpr std::uint32_t kRefused = 0xd62728;
+constexpr std::uint32_t kRefusedWords = 0xff8080;  // readable on a grey floor
 constexpr std::uint32_t kWood = 0xa07850;
 constexpr std::uint32_t kSpace = 0x4aa3df;
 constexpr std::uint32_t kNext = 0xff7f0e;
 constexpr double kLineM = 0.007;
 constexpr double kLetterM = 0.07;
 constexpr double kSmallestLetterM = 0.025;
-constexpr double kLetterShare =
-    1.0 / 7.0;  // of the length of a box: the size in one line is as long as the box
-constexpr std::size_t kReasonLetters = 24;  // in a line of the reason of a refusal
+constexpr double kLetterShare = 0.2;        // of the length of a box: its size in one line is about as long
+constexpr std::size_t kReasonLetters = 32;  // in a line of the reason of a refusal
 constexpr double kInflateM = 0.006;  // drawn around the cloud's points, which would otherwise hide the faces
 constexpr double kSigmas = 2.0;      // of the solid drawn around a box: 95 %
 constexpr double kCarrierM = 0.10;   // height of the carrier in the picture
@@ -49,12 +49,13 @@ std::string flagWords(std::uint8_t flags) {
   return words;
 }
 
-/// The words in lines of about kReasonLetters: rviz draws long lines across everything.
+/// The words in lines that end at a comma or after kReasonLetters: rviz draws long lines across everything.
 std::string wrapped(const std::string& words) {
   std::string lines;
   std::size_t length = 0;
   for (const char letter : words) {
-    const bool breaks = letter == ' ' && length >= kReasonLetters;
+    const bool breaks =
+        letter == ' ' && ((!lines.empty() && lines.back() == ',') || length >= kReasonLetters);
     lines += breaks ? '\n' : letter;
     length = breaks ? 0 : length + 1;
   }
@@ -173,8 +174,11 @@ visualization_msgs::MarkerArrayPtr boxMarkers(const BoxArray& boxes) {
     const Eigen::Vector3d center = toEigen(cluster.centroid);
     set.edges("rejected", at(center), toEigen(cluster.extent), kLineM, color(kRefused));
     const auto reason = static_cast<detection::RejectReason>(cluster.reason);
-    set.text("rejected_labels", center + Eigen::Vector3d(0, 0, cluster.extent.z / 2 + kLetterM), kLetterM / 2,
-             std::string(detection::toString(reason)) + ":\n" + wrapped(cluster.text), color(kRefused));
+    const std::string words = std::string(detection::toString(reason)) + ":\n" + wrapped(cluster.text);
+    const auto lines = static_cast<double>(1 + std::count(words.begin(), words.end(), '\n'));
+    set.text("rejected_labels",
+             center + Eigen::Vector3d(0, 0, cluster.extent.z / 2 + kSmallestLetterM * lines),
+             kSmallestLetterM, words, color(kRefusedWords));
   }
   return set.take();
 }
@@ -192,8 +196,8 @@ visualization_msgs::MarkerArrayPtr palletMarkers(const PalletState& state) {
   if (!state.placements.empty()) {
     set.sphere("center_of_gravity", toEigen(state.center_of_gravity), 0.05, color(kRefused));
   }
-  set.text("title", {size.x() / 2, size.y() / 2, size.z() + 4.0 * kLetterM}, 1.3 * kLetterM,
-           state.pallet_id + ": " + std::to_string(state.placements.size()) + " boxes, " +
+  set.text("title", {size.x() / 2, size.y() / 2, size.z() + 4.0 * kLetterM}, kLetterM,
+           state.pallet_id + ":\n" + std::to_string(state.placements.size()) + " boxes, " +
                std::to_string(std::lround(state.utilization * 100.0)) + " %",
            color(kWhite));
   return set.take();

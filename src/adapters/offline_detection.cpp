@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -91,6 +92,10 @@ void findBase(const OfflineDetectionRequest& request, const geometry::CloudView&
   if (request.base != "marker" && request.base != "floor") {
     if (!request.calibration_cloud.empty()) {
       throw std::invalid_argument("a calibration cloud needs the base 'marker' or 'floor', not a file");
+    }
+    if (!std::ifstream(request.base)) {
+      throw std::invalid_argument("base: '" + request.base +
+                                  "' is neither 'marker' nor 'floor' nor a file that can be read");
     }
     const Calibration calibration = readCalibration(request.base);
     result.base_from_camera = calibration.base_from_camera;

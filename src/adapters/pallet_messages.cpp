@@ -16,7 +16,8 @@ using Problems = std::vector<std::string>;
 template <typename Convert>
 int lengthOf(double meters, const std::string& name, Convert convert, Problems& problems) {
   if (isLength(meters)) return convert(meters);
-  problems.push_back(name + ": " + std::to_string(meters) + " m is no length");
+  problems.push_back(name + ": " + std::to_string(meters) +
+                     " m is no length: metres up to 1000, not millimetres");
   return 1;
 }
 

@@ -61,6 +61,8 @@ class DetectorServer {
   /// The callbacks throw nothing: whoever called them would end the whole process.
   void countFault(const std::exception& fault) noexcept;
   void reportDiagnostics();
+  /// The first calibration is under way: its clouds are not missed for want of a base frame.
+  bool isForCalibration();
 
   Processed process(const AcceptedCloud& cloud);
   Processed detectIn(const AcceptedCloud& cloud);
@@ -71,6 +73,9 @@ class DetectorServer {
   /// The next cloud after arrival `sequence` that is not older than `not_before`; triggers the camera when its
   /// capture service is known.
   Arrival awaitCloud(std::uint64_t sequence, double timeout_s, const ros::Time& not_before);
+  /// Why no cloud may be coming: for people; empty when nothing is known.
+  std::string silence() const;
+  void warnWithoutPublisher();
   /// True when the camera was asked for a cloud and answered.
   bool triggerCamera(std::chrono::steady_clock::time_point deadline);
   bool capture() const;
@@ -105,6 +110,7 @@ class DetectorServer {
   ros::ServiceServer detect_service_;
   ros::ServiceServer calibrate_service_;
   ros::SteadyTimer diagnostics_timer_;
+  int ticks_without_publisher_ = 0;  // of that timer
   ros::AsyncSpinner cloud_spinner_;
   ros::AsyncSpinner service_spinner_;
   ros::AsyncSpinner diagnostics_spinner_;

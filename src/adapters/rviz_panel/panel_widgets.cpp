@@ -16,7 +16,7 @@ namespace {
 constexpr int kMostOrders = 1000000;
 constexpr int kPerMille = 1000;
 constexpr int kTableHeightPx = 110;
-constexpr int kTableWidthPx = 360;  // all columns
+constexpr int kTableWidthPx = 430;  // all columns
 
 QPushButton* button(const char* name, const char* text, const char* hint) {
   auto* made = new QPushButton(text);
