@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Many clients at once, clouds faster than they can be worked on, and both for long: every call is answered, the latest cloud
 wins, and memory, threads and files stay as they are. Parameters: see load.test."""
+import contextlib
 import os
 import random
 import sys
@@ -29,8 +30,8 @@ from processes import Use, pid_of  # noqa: E402
 
 LINES = [('a', (100, 100, 50), 60), ('b', (150, 100, 50), 60)]
 CALLS = 6          # of each client
-FLOOD_S = 5.0
-OLD_S = 1.5        # a queue that grows makes answers older than this within the flood
+FLOOD_S = 4.0
+OLD_S = 1.2        # a queue that grows makes answers older than this within the flood
 LOOKS = 20         # at memory, during the soak
 
 
@@ -89,7 +90,7 @@ class Load(PlannerClient):
         cls.counts = Counts('clients at once, flood of clouds, soak')
         cls.clients = rospy.get_param('~clients', 50)
         cls.rate_hz = rospy.get_param('~rate_hz', 200)
-        cls.cycles = rospy.get_param('~cycles', 160)
+        cls.cycles = rospy.get_param('~cycles', 120)
         cls.rng = random.Random(rospy.get_param('~seed', 1))
         cls.folder = tempfile.TemporaryDirectory()
         cls.planner = PlannerProcess(os.path.join(cls.folder.name, 'p.journal'), None, ('_time_budget_s:=0.01',))
@@ -120,8 +121,11 @@ class Load(PlannerClient):
         self.counts.recovery_s.append(time.monotonic() - start)
         return answer
 
-    def survived(self, count):
+    @contextlib.contextmanager
+    def counted(self, count):
+        """What is tried within the `with`; it survived when nothing is thrown."""
         self.counts.tried += count
+        yield
         self.counts.survived += count
 
     def client(self, i):
@@ -150,12 +154,16 @@ class Load(PlannerClient):
     def test_1_clients_of_the_planner(self):
         self.start(lines=LINES)
         before = self.state().state.revision
-        changes = [revision for told in at_once(self.clients, self.client) for revision in told]
-        after = self.state().state.revision
-        self.assertEqual(sorted(changes), list(range(before + 1, after + 1)), 'a change lost, or told twice')
-        self.survived(self.clients * CALLS)
+        with self.counted(self.clients * CALLS):
+            changes = [revision for told in at_once(self.clients, self.client) for revision in told]
+            after = self.state().state.revision
+            self.assertEqual(sorted(changes), list(range(before + 1, after + 1)), 'a change lost, or told twice')
 
     def test_2_clients_of_the_detector(self):
+        with self.counted(3 * self.clients):
+            self.clients_of_the_detector()
+
+    def clients_of_the_detector(self):
         detect = lambda timeout_s: lambda i: self.timed('detect', DetectBoxesRequest(timeout=timeout_s)).status
         with Flood(self.points, self.cloud, self.rate_hz):
             self.assertEqual(set(at_once(self.clients, detect(20.0))), {DetectBoxesResponse.OK})
@@ -166,7 +174,6 @@ class Load(PlannerClient):
         before = self.diagnostics.count()
         self.assertEqual(set(at_once(self.clients, detect(0.3))), {DetectBoxesResponse.TIMEOUT})
         self.assertGreater(self.diagnostics.count(), before, 'waiting clients silence the diagnostics')
-        self.survived(3 * self.clients)
 
     def test_3_latest_cloud_wins(self):
         came = []
@@ -175,6 +182,10 @@ class Load(PlannerClient):
             time.sleep(FLOOD_S)
         self.assertIsNotNone(self.boxes.wait_for(lambda m: m.header.stamp == flood.last, 20.0), 'the last cloud got lost')
         listener.unregister()
+        with self.counted(len(flood.published)):
+            self.check_flood(flood, came)
+
+    def check_flood(self, flood, came):
         came = [(stamp, when, boxes) for stamp, when, boxes in came if stamp in flood.published]
         self.assertGreater(len(came), 5)
         self.assertTrue(all(boxes for _, _, boxes in came))
@@ -183,11 +194,14 @@ class Load(PlannerClient):
         self.assertLess(ages[len(ages) // 2], OLD_S, 'clouds wait in a queue')
         print('%d clouds at %d Hz, %d worked on, median age of the answers %.2f s' %
               (len(flood.published), self.rate_hz, len(came), ages[len(ages) // 2]))
-        self.survived(len(flood.published))
 
     def test_4_soak(self):
         uses = [Use('detector', pid_of('/manager')), Use('planner', pid_of('/pick_planner'))]
         self.start(lines=LINES)
+        with self.counted(self.cycles):
+            self.soak(uses)
+
+    def soak(self, uses):
         for cycle in range(self.cycles):
             publish(self.points, self.cloud)
             self.one_pick(cycle)
@@ -198,7 +212,6 @@ class Load(PlannerClient):
                 for use in uses:
                     use.look()
                 self.boxes.forget()
-        self.survived(self.cycles)
         for use in uses:
             print(use)
             self.assertLess(use.growth(), rospy.get_param('~growth', 0.05), use)
