@@ -93,7 +93,9 @@ class Load(PlannerClient):
         cls.cycles = rospy.get_param('~cycles', 120)
         cls.rng = random.Random(rospy.get_param('~seed', 1))
         cls.folder = tempfile.TemporaryDirectory()
-        cls.planner = PlannerProcess(os.path.join(cls.folder.name, 'p.journal'), None, ('_time_budget_s:=0.01',))
+        # Few pallets, so that the journal, of which SQLite keeps up to 2 MB in memory, has its final size soon.
+        cls.planner = PlannerProcess(os.path.join(cls.folder.name, 'p.journal'), None,
+                                     ('_time_budget_s:=0.01', '_journal/keep_pallets:=3'))
         cls.planner.start()
         super().setUpClass()
         cls.states.close()  # they would pile up here
