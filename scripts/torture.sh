@@ -18,6 +18,7 @@ tests() {
   torture invariants "$build/invariants" --placements "$(amount 1000000 10000000)" --seeds "$(amount 1000 10000)" \
     --deviations "$(amount 20000 1000000)" --seed "$seed"
   torture out_of_memory "$build/out_of_memory" --tries "$(amount 500 20000)" --seed "$seed"
+  torture threads "$root/scripts/tsan.sh" --rows --seeds "$(amount 20 1000)"
   torture bad_clouds "$rostest" bad_clouds.test
   torture time_and_tf "$rostest" time_and_tf.test rounds:="$(amount 5 500)" seed:="$seed"
   torture load "$rostest" load.test cycles:="$(amount 4000 100000)" growth:=0.01 seed:="$seed"

@@ -47,13 +47,14 @@ class Input {
 /// alone hardly ever look like a surface.
 std::vector<std::uint8_t> paintedPoints(Input& input, std::uint32_t width, std::uint32_t height) {
   constexpr float kFloorM = 2.0F;
+  constexpr std::uint32_t kWhole = 128;  ///< the image's sides in the input's bytes
   std::vector<float> depths(std::size_t{width} * height, kFloorM);
   const unsigned rectangles = input.take<std::uint8_t>() % 16U;
   for (unsigned i = 0; i < rectangles; ++i) {
-    const std::uint32_t left = input.take<std::uint8_t>();
-    const std::uint32_t top = input.take<std::uint8_t>();
-    const std::uint32_t right = std::min<std::uint32_t>(width, left + input.take<std::uint8_t>());
-    const std::uint32_t bottom = std::min<std::uint32_t>(height, top + input.take<std::uint8_t>());
+    const std::uint32_t left = input.take<std::uint8_t>() * width / kWhole;
+    const std::uint32_t top = input.take<std::uint8_t>() * height / kWhole;
+    const std::uint32_t right = std::min(width, left + 1 + input.take<std::uint8_t>() * width / kWhole);
+    const std::uint32_t bottom = std::min(height, top + 1 + input.take<std::uint8_t>() * height / kWhole);
     const float rise = static_cast<float>(input.take<std::int16_t>()) / 16384.0F;  // up to 2 m, to the lens
     const float slope = static_cast<float>(input.take<std::int8_t>()) / 8192.0F;   // a pixel
     const auto flags = input.take<std::uint8_t>();
@@ -84,8 +85,8 @@ std::vector<std::uint8_t> paintedPoints(Input& input, std::uint32_t width, std::
 sensor_msgs::PointCloud2 paintedMessage(Input input) {
   sensor_msgs::PointCloud2 message;
   message.header.frame_id = "camera";
-  message.width = 2U + input.take<std::uint8_t>() % 128U;
-  message.height = 2U + input.take<std::uint8_t>() % 96U;
+  message.width = 2U + input.take<std::uint8_t>() / 2U;  // every point costs the sanitizers time
+  message.height = 2U + input.take<std::uint8_t>() / 2U;
   message.point_step = 16;
   message.row_step = message.width * message.point_step;
   for (const char* name : {"x", "y", "z", "rgba"}) {
