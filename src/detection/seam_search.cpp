@@ -175,7 +175,7 @@ void SeamSearch::findIn(int axis, const Stretch& stretch, const TopGroup& group)
   peaks_.clear();
   for (int i = 0; i < lattice_.count(); ++i) {
     const Peak peak = rate(i, axis, stretch, group);
-    if (std::max(peak.by_dip, peak.by_color) > 1.0) peaks_.push_back(peak);
+    if (peak.strength() > 0.0) peaks_.push_back(peak);
   }
   keepPeaks(axis, stretch);
 }
@@ -206,7 +206,7 @@ void SeamSearch::keepPeaks(int axis, const Stretch& stretch) {
     for (std::size_t k = p; k < end; ++k) best = std::max(best, peaks_[k].strength());
     double sum = 0.0;
     double weight = 0.0;
-    for (std::size_t k = p; k < end && best > 1.0; ++k) {
+    for (std::size_t k = p; k < end && best > 0.0; ++k) {
       if (peaks_[k].strength() < 0.9 * best) continue;
       sum += peaks_[k].i;
       weight += 1.0;

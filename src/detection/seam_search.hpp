@@ -39,12 +39,16 @@ class SeamSearch {
     int first = 0, last = -1;
     int count() const { return last - first + 1; }
   };
-  /// A place across that looks like a seam, by what; above 1 in one way at least.
+  /// A place across, and how much it looks like a seam, by what: above 1 it does.
   struct Peak {
     double by_dip = 0.0;
     double by_color = 0.0;
     int i = 0;
-    double strength() const { return std::max(by_dip, by_color) + 0.01 * by_dip; }
+    /// 0 for no seam.
+    double strength() const {
+      const double most = std::max(by_dip, by_color);
+      return most > 1.0 ? most + 0.01 * by_dip : 0.0;
+    }
   };
 
   void prepare();
