@@ -94,7 +94,7 @@ children+=("$launch")
 # The report is written when the order is complete; the executive then holds the cell, for the picture or for those who look.
 while kill -0 "$launch" 2>/dev/null && [ ! -s "$report" ]; do sleep 0.5; done
 if [ -n "$screenshot" ] && [ -s "$report" ]; then
-  sleep 5
+  sleep 12  # rviz draws slowly without a graphics card
   import -window root "$screenshot"
 fi
 times+=", run $((SECONDS - start)) s"

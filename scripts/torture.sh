@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Tries to bring the package down: kills, damaged files, bad disks, random placements, boxes not as planned, memory that runs out, data
 # races, bad clouds, clocks and transforms, load, fuzzers. Prints one table: what was tried, how much of it survived.
-# usage: scripts/torture.sh [--long] [--only NAME] [--seed N] [--write]
-#   --long   hours instead of minutes      --only   one of the tests below
+# usage: scripts/torture.sh [--long] [--only NAME]... [--seed N] [--write]
+#   --long   hours instead of minutes      --only   one of the tests below; may be repeated
 #   --seed   of everything random (1)      --write  puts the table, its date and command into docs/reliability.md
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
@@ -25,14 +25,18 @@ tests() {
   torture fuzzers "$root/scripts/fuzz.sh" --rows --runs "$(amount 1000000 10000000)" --seconds "$(amount 120 36000)"
 }
 
+names=$(sed -n 's/^  torture \([a-z_]*\) .*/\1/p' "${BASH_SOURCE[0]}")
 long= only= seed=1 write= command="scripts/torture.sh $*"
 while [ $# -gt 0 ]; do
   case $1 in
     --long) long=yes ;;
     --write) write=yes ;;
-    --only) only=${2:?--only needs the name of a test}; shift ;;
+    --only)
+      grep -qxF -- "${2:?--only needs the name of a test}" <<<"$names" || die "--only: there is no test '$2'; there are: ${names//$'\n'/, }"
+      only+=" $2 "
+      shift ;;
     --seed) seed=${2:?--seed needs a number}; shift ;;
-    *) die "unknown argument '$1'; usage: scripts/torture.sh [--long] [--only NAME] [--seed N] [--write]" ;;
+    *) die "unknown argument '$1'; usage: scripts/torture.sh [--long] [--only NAME]... [--seed N] [--write]" ;;
   esac
   shift
 done
@@ -49,13 +53,11 @@ finish() {
 }
 trap finish EXIT
 
-run=0
 failed=
 torture() {
   local name=$1
   shift
-  [ -z "$only" ] || [ "$only" = "$name" ] || return 0
-  run=$((run + 1))
+  [ -z "$only" ] || [[ $only == *" $name "* ]] || return 0
   say "$name: $*"
   "$@" | tee "$results/$name.log" || failed="$failed $name"
   sed -n 's/^ROW //p' "$results/$name.log" >>"$results/rows"
@@ -73,7 +75,6 @@ until rosparam list >/dev/null 2>&1; do kill -0 "$master" || die "no master: $(t
 
 touch "$results/rows"
 tests
-[ "$run" -gt 0 ] || die "--only: there is no test '$only'"
 table=("$root/test/torture/print_table.py" --rows "$results/rows" --command "$command")
 [ -z "$write" ] || table+=(--write "$root/docs/reliability.md")
 /usr/bin/python3 "${table[@]}"
