@@ -10,8 +10,7 @@ namespace {
 constexpr double kSameShare = 0.7;    // of the lines that must change alike
 constexpr double kSameChange = 0.35;  // of the usual change: what one line may differ
 
-constexpr double kEndFrom = 0.004;  // [m] behind the end of a change of colour ...
-constexpr double kEndTo = 0.010;    // ... and up to here there is no surface
+constexpr std::size_t kFewLines = 4;  // say nothing
 
 constexpr double kForeignShare =
     0.1;  // of the lines: more that show the colour of the other side are of one top
@@ -93,17 +92,11 @@ bool SeamColors::differ(const SeamLattice& lattice, const SeamWindows& windows, 
   return static_cast<double>(foreign) <= kForeignShare * lines;
 }
 
-bool surfaceEnds(const SeamLattice& lattice, double along_m, int sign, const std::array<int, 2>& places) {
-  int tops = 0;
-  int all = 0;
-  for (double off = kEndFrom; off <= kEndTo; off += lattice.lineStep()) {
-    const int line = static_cast<int>(std::lround(lattice.lineAt(along_m + sign * off)));
-    for (const int at : places) {
-      ++all;
-      if (lattice.top(line, at)) ++tops;
-    }
-  }
-  return 2 * tops <= all;
+bool SeamColors::goesOn(const SeamLattice& lattice, const SeamWindows& windows, double tolerance) {
+  read(lattice, windows);
+  const auto changed = static_cast<std::size_t>(std::count_if(
+      changes_.begin(), changes_.end(), [&](const Color& change) { return sizeOf(change) > tolerance; }));
+  return changes_.size() < kFewLines || 2 * changed >= changes_.size();
 }
 
 }  // namespace mixed_palletizing::detection

@@ -26,6 +26,9 @@ class SeamColors {
   /// on both. Colours that differ by less than `tolerance` (of 255) are the same.
   bool differ(const SeamLattice& lattice, const SeamWindows& windows, double tolerance);
 
+  /// Whether most of the lines that show both sides change by more than `tolerance`; also when there are hardly any.
+  bool goesOn(const SeamLattice& lattice, const SeamWindows& windows, double tolerance);
+
   /// How much the colour changes along half of the lines, of 255.
   double changeAt(const SeamLattice& lattice, const SeamWindows& windows);
 
@@ -37,9 +40,5 @@ class SeamColors {
   std::vector<Color> lows_, highs_, changes_;  // of each line
   std::vector<double> values_;
 };
-
-/// Whether the surface ends there, seen at two places across: a few millimetres farther along (`sign`: 1, or -1 for
-/// backwards) at most half of it is left.
-bool surfaceEnds(const SeamLattice& lattice, double along_m, int sign, const std::array<int, 2>& places);
 
 }  // namespace mixed_palletizing::detection

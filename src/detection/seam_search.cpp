@@ -19,7 +19,6 @@ constexpr double kDipSigmas = 7.0;
 constexpr double kPartShare = 0.3;      // of the mean dip that every part must show, less its noise
 constexpr double kColorShare = 0.8;     // of a seam's lines that must show the step
 constexpr double kInsideShare = 0.75;   // of a stretch's lines that have surface on both sides
-constexpr double kEndAtSeam = 0.003;    // [m] or a seam runs across this near
 constexpr double kFar = 0.02;           // [m] to both sides of a seam there must be surface
 constexpr double kShortest = 0.015;     // [m]
 constexpr double kMargin = 0.004;       // [m] at the ends of a stretch that may be torn
@@ -128,15 +127,6 @@ void SeamSearch::rateLine() {
   step = good * (step - color_step_ * (seen_low * seen_high)).max(0.0f).min(1.0f);
 }
 
-/// Whether a change of colour ends there as boxes do: at the end of the surface, or at a seam across. Prints end in
-/// between.
-bool SeamSearch::endsAt(double along_m, int sign, int i, int axis) const {
-  for (const Seam& seam : seams_) {
-    if (seam.axis != axis && std::abs(seam.at_m - along_m) < kEndAtSeam) return true;
-  }
-  return surfaceEnds(lattice_, along_m, sign, {i - kRoom, i + kRoom});
-}
-
 SeamSearch::Peak SeamSearch::rate(int i, int axis, const Stretch& stretch, const TopGroup& group) const {
   const auto at = static_cast<std::size_t>(i);
   const int inside = all_.inside[at];
@@ -155,7 +145,9 @@ SeamSearch::Peak SeamSearch::rate(int i, int axis, const Stretch& stretch, const
   }
   peak.by_dip = everywhere ? dip / least : 0.0;
   peak.by_color = static_cast<double>(all_.steps[at]) / (kColorShare * inside);
-  if (peak.by_color > 1.0 && !(endsAt(stretch.from_m, -1, i, axis) && endsAt(stretch.to_m, 1, i, axis))) {
+  const std::array<int, 2> beside{i - kRoom, i + kRoom};
+  if (peak.by_color > 1.0 && !(endsAsBoxes(lattice_, seams_, {axis, stretch.from_m, -1}, beside) &&
+                               endsAsBoxes(lattice_, seams_, {axis, stretch.to_m, 1}, beside))) {
     peak.by_color = 0.0;
   }
   return peak;
@@ -180,8 +172,17 @@ void SeamSearch::findIn(int axis, const Stretch& stretch, const TopGroup& group)
   keepPeaks(axis, stretch);
 }
 
+/// Whether the change goes on where the surface does so behind a hole, dark print for instance: that of two boxes does,
+/// that of a label need not.
+bool SeamSearch::goesOnBehind(const SeamEnd& end, SeamWindows windows) {
+  const auto [first, last] = linesBehind(lattice_, seams_, end);
+  windows.first_line = first;
+  windows.last_line = last;
+  return colors_.goesOn(lattice_, windows, color_step_);
+}
+
 /// Places side by side see one change of colour; only where it is clearest the windows hold one side each.
-void SeamSearch::doubtColors(std::size_t begin, std::size_t end, const Stretch& stretch) {
+void SeamSearch::doubtColors(std::size_t begin, std::size_t end, int axis, const Stretch& stretch) {
   const auto windows = [&](int i) { return SeamWindows{i, kNear, kWindow, stretch.first, stretch.last}; };
   double most = 0.0;
   int clearest = -1;
@@ -192,7 +193,11 @@ void SeamSearch::doubtColors(std::size_t begin, std::size_t end, const Stretch& 
     most = change;
     clearest = peaks_[k].i;
   }
-  if (clearest >= 0 && colors_.differ(lattice_, windows(clearest), color_step_)) return;
+  if (clearest >= 0 && colors_.differ(lattice_, windows(clearest), color_step_) &&
+      goesOnBehind({axis, stretch.from_m, -1}, windows(clearest)) &&
+      goesOnBehind({axis, stretch.to_m, 1}, windows(clearest))) {
+    return;
+  }
   for (std::size_t k = begin; k < end; ++k) peaks_[k].by_color = 0.0;
 }
 
@@ -201,7 +206,7 @@ void SeamSearch::keepPeaks(int axis, const Stretch& stretch) {
   for (std::size_t p = 0; p < peaks_.size();) {
     std::size_t end = p + 1;
     while (end < peaks_.size() && peaks_[end].i - peaks_[end - 1].i <= 2) ++end;
-    doubtColors(p, end, stretch);
+    doubtColors(p, end, axis, stretch);
     double best = 0.0;
     for (std::size_t k = p; k < end; ++k) best = std::max(best, peaks_[k].strength());
     double sum = 0.0;

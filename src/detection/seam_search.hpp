@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "seam_colors.hpp"
+#include "seam_ends.hpp"
 #include "seam_lattice.hpp"
 
 namespace mixed_palletizing::detection {
@@ -56,10 +57,10 @@ class SeamSearch {
   void lookFar();
   void rateLine();
   Peak rate(int i, int axis, const Stretch& stretch, const TopGroup& group) const;
-  bool endsAt(double along_m, int sign, int i, int axis) const;
   void findIn(int axis, const Stretch& stretch, const TopGroup& group);
   void keepPeaks(int axis, const Stretch& stretch);
-  void doubtColors(std::size_t begin, std::size_t end, const Stretch& stretch);
+  void doubtColors(std::size_t begin, std::size_t end, int axis, const Stretch& stretch);
+  bool goesOnBehind(const SeamEnd& end, SeamWindows windows);
 
   SeamLattice lattice_;
   SeamColors colors_;

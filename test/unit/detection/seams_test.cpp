@@ -18,6 +18,7 @@ using simulation::SceneBox;
 constexpr std::uint32_t kBlue = 0x3a5a98;
 constexpr std::uint32_t kWhite = 0xe4e2dc;
 constexpr std::uint32_t kCarton = 0xa98455;
+constexpr std::uint32_t kBlack = 0x0a0a0a;  // without data
 constexpr std::uint32_t kPale = 0xc6bca9;
 
 BoxLabel label(const Eigen::Vector2d& from, const Eigen::Vector2d& to, std::uint32_t rgb) {
@@ -64,6 +65,20 @@ TEST(Seams, labelsOnBothSidesOfALineAreNone) {
       box.rgb = kCarton;
       box.labels = {label({-0.98 * half.x(), y}, {turn, 0.9 * half.y()}, kWhite),
                     label({turn, -0.9 * half.y()}, {0.98 * half.x(), y}, kWhite)};
+    }
+    expectSizes(scene, seed, 0.002);
+  }
+}
+
+/// The label reaches from a dark band almost to the side of the box: only what lies behind the band tells.
+TEST(Seams, aLabelBetweenABandAndASideIsNone) {
+  for (std::uint64_t seed = 240; seed < 246; ++seed) {
+    Scene scene = simulation::recipeScene(test::sceneRecipe(0.0002, 1280, 800), seed, 0);
+    for (SceneBox& box : scene.boxes) {
+      const Eigen::Vector2d half = 0.5 * box.size_m.head<2>();
+      box.rgb = kCarton;
+      box.labels = {label({0.05 * half.x(), -0.96 * half.y()}, {0.7 * half.x(), 0.3 * half.y()}, kWhite),
+                    label({-half.x(), 0.3 * half.y()}, {half.x(), 0.65 * half.y()}, kBlack)};
     }
     expectSizes(scene, seed, 0.002);
   }
