@@ -1,4 +1,5 @@
 """What a torture test tried, and its row for the table of scripts/torture.sh."""
+import contextlib
 import json
 
 
@@ -7,6 +8,17 @@ class Counts:
         self.test = test
         self.tried = self.survived = 0
         self.recovery_s = []  # until the next good answer
+
+    @contextlib.contextmanager
+    def attempt(self, what):
+        """One that survives when nothing is thrown; says what was lost, because a failed subTest prints nothing under rostest."""
+        self.tried += 1
+        try:
+            yield
+        except Exception as error:
+            print('lost: %s: %s: %s' % (what, type(error).__name__, error))
+            raise
+        self.survived += 1
 
     def slowest_s(self):
         return max(self.recovery_s, default=0.0)
