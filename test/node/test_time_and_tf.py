@@ -120,9 +120,16 @@ class TimeAndTf(BadTransforms, unittest.TestCase):
 
     def stands_still(self):
         self.clock.pause()
+        try:
+            self.check_standing()
+        finally:
+            self.clock.run()
+
+    def check_standing(self):
         self.check_decision()
         self.check_calibrated()
         self.check_no_frame(self.clock.now(), 'never heard of')
+        self.clock.jump(0.1)  # two clouds of one stamp cannot be told apart
         self.check_good('a standing clock')
         point = PointStamped()
         point.header.frame_id = 'never heard of'
@@ -130,11 +137,16 @@ class TimeAndTf(BadTransforms, unittest.TestCase):
         self.assertFalse(taken.success)
         self.assertIn('never heard of', taken.message)
         self.check_plan()
-        self.clock.run()
 
     def looped_bag(self):
         self.clock.pause()
         self.clock.be_quiet()
+        try:
+            self.check_loops()
+        finally:
+            self.clock.run()
+
+    def check_loops(self):
         came = []
         listener = rospy.Subscriber('boxes', BoxArray, came.append)
         with tempfile.TemporaryDirectory() as folder, LoopedBag(
@@ -146,7 +158,6 @@ class TimeAndTf(BadTransforms, unittest.TestCase):
                 time.sleep(0.05)
         listener.unregister()
         self.assertTrue(all(message.boxes for message in came))
-        self.clock.run()
 
     def camera_hangs(self):
         """More calls than the detector has threads for them."""
@@ -198,9 +209,10 @@ class TimeAndTf(BadTransforms, unittest.TestCase):
             situations = list(self.situations().items())
             rng.shuffle(situations)
             for name, check in situations:
-                with self.subTest(situation=name), self.counts.attempt(name):
+                with self.counts.attempt(name):
                     check()
                     self.check_good(name)
+        self.assertEqual(self.counts.lost, [])
 
 
 if __name__ == '__main__':
