@@ -23,21 +23,31 @@ class SimulatedClock:
         self._publisher = rospy.Publisher('/clock', Clock, queue_size=1)
         self._lock = threading.Lock()
         self._now_s = START_S
+        self._last = time.monotonic()
         self._runs = False
         self._quiet = True
         threading.Thread(target=self._publish, daemon=True).start()
 
+    def _advance(self):
+        last, self._last = self._last, time.monotonic()
+        if self._runs:
+            self._now_s += self._last - last
+
     def now(self):
+        """While the clock runs no two are equal: clouds of one stamp cannot be told apart."""
         with self._lock:
+            self._advance()
             return rospy.Time.from_sec(self._now_s)
 
     def run(self):
         with self._lock:
+            self._advance()
             self._runs, self._quiet = True, False
         time.sleep(HEARD_S)
 
     def pause(self):
         with self._lock:
+            self._advance()
             self._runs = False
         time.sleep(HEARD_S)
 
@@ -52,14 +62,10 @@ class SimulatedClock:
         time.sleep(HEARD_S)
 
     def _publish(self):
-        last = time.monotonic()
         while not rospy.is_shutdown():
             time.sleep(PERIOD_S)
             with self._lock:
-                now = time.monotonic()
-                if self._runs:
-                    self._now_s += now - last
-                last = now
+                self._advance()
                 if not self._quiet:
                     self._publisher.publish(Clock(rospy.Time.from_sec(self._now_s)))
 
