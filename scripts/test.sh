@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds with warnings as errors, and runs every test: unit tests, rostests, tools, install space, style.
-# usage: scripts/test.sh [--fast]     (--fast leaves out the rostests and the install space)
+# Installs what is missing, builds with warnings as errors, and runs every test: unit tests, rostests, tools, converters, install space, style.
+# usage: scripts/test.sh [--fast]     (--fast leaves out the rostests, the converters and the install space)
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib/common.sh"
 
@@ -81,6 +81,8 @@ verdict unit_tests -j2 -E 'rostest'
 if [ -z "$fast" ]; then
   say "rostests"
   verdict rostests -R 'rostest'
+  say "converters, with stand-ins for the messages of other packages"
+  check converters "$root/test/tools/test_converters.sh"
   say "install space"
   check install_space "$root/test/tools/test_install_space.sh"
   check debian_package "$root/test/tools/test_debian_package.sh"
