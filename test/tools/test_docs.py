@@ -58,6 +58,30 @@ class Docs(unittest.TestCase):
         for name in names - {'NAME'}:
             self.assertRegex(built, rf'\b{re.escape(name)}\b', name)
 
+    def test_launch_arguments_exist(self):
+        known = {path.name: set(re.findall(r'<arg name="(\w+)"', path.read_text(encoding='utf-8')))
+                 for path in (ROOT / 'launch').glob('*.launch')}
+        count = 0
+        for document in DOCUMENTS:
+            text = document.read_text(encoding='utf-8').replace('\\\n', ' ')  # commands of several lines
+            for file, words in re.findall(r'\b(\w+\.launch)((?: +\w+:=(?:"[^"]*"|[^\s`]*))+)', text):
+                for name in re.findall(r'(\w+):=', words):
+                    count += 1
+                    self.assertIn(name, known[file], f'{document.name}: {file}')
+        self.assertGreater(count, 10)
+
+    def test_files_of_algorithms_exist(self):
+        sources = {path.stem for path in (ROOT / 'src').rglob('*.cpp')} | {path.stem for path in (ROOT / 'include').rglob('*.hpp')}
+        count = 0
+        for line in (ROOT / 'docs' / 'algorithms.md').read_text(encoding='utf-8').splitlines():
+            cells = line.split('|')
+            if len(cells) != 6 or cells[3].strip() in ('file', '---'):
+                continue
+            for name in re.findall(r'`([^`]+)`', cells[3]):
+                count += 1
+                self.assertTrue(name in sources or (ROOT / name).exists(), name)
+        self.assertGreater(count, 30)
+
 
 if __name__ == '__main__':
     unittest.main()
