@@ -45,7 +45,9 @@ std::unique_ptr<FittedRace::Heat> FittedRace::heatWith(const PolicyWeights& weig
   heat->pairs = scoredPlacements(situation_.pallet, types_, withExpected(situation_).remaining,
                                  options_.gripper, engines_.front().policy(), stop_);
   if (!heat->pairs.empty()) {
-    heat->race.emplace(situation_, heat->pairs, options_.best.candidates, engines_, futures_);
+    // With no time left the best rated pair is the choice: no others need to be set up.
+    const int lanes = stop_ && stop_() ? 1 : options_.best.candidates;
+    heat->race.emplace(situation_, heat->pairs, lanes, engines_, futures_);
   }
   return heat;
 }

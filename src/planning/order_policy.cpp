@@ -73,7 +73,10 @@ bool OrderPolicy::better(const PolicyWeights& weights, const PolicyWeights& othe
 bool OrderPolicy::play(const std::vector<PolicyWeights>& weights, std::size_t first_future, std::size_t count,
                        const packing::StopCallback& stop, std::vector<double>& values) {
   std::vector<std::vector<int>> arrivals;
-  for (std::size_t i = 0; i < count; ++i) arrivals.push_back(futures_.arrival(first_future + i));
+  for (std::size_t i = 0; i < count; ++i) {
+    if (stop && stop()) return false;  // of many boxes each draw takes its time
+    arrivals.push_back(futures_.arrival(first_future + i));
+  }
   values.assign(weights.size() * count, 0.0);
   std::atomic<bool> stopped{false};
   packing::inParallel(values.size(), static_cast<int>(engines_.size()),

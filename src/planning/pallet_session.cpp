@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <chrono>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 
@@ -40,9 +39,11 @@ std::string decisionText(const Decision& decision, const std::vector<int>& avail
            text(placement.origin) + " mm";
   }
   std::set<std::string> reasons;
+  std::set<int> told;
   for (std::size_t i = 0; i < available.size(); ++i) {
-    reasons.insert("'" + order.types[static_cast<std::size_t>(available[i])].name +
-                   "': " + decision.options[i].reason);
+    const packing::ItemType& type = order.types[static_cast<std::size_t>(available[i])];
+    if (told.insert(available[i]).second)
+      reasons.insert("'" + type.name + "': " + decision.options[i].reason);
   }
   return "none of the available boxes fits: " + joined(reasons);
 }
@@ -81,7 +82,7 @@ ChooseReply PalletSession::choose(const std::string& request_id, const std::vect
                                   const CallerNotes& notes, double budget_ms) {
   const Clock::time_point start = Clock::now();
   ChooseReply reply;
-  const auto answer = [&reply](ChooseStatus status, const std::string& message) {
+  const auto answer = [&reply](ChooseStatus status, const std::string& message) -> const ChooseReply& {
     reply.status = status;
     reply.message = message;
     return reply;
@@ -113,7 +114,9 @@ ChooseReply PalletSession::choose(const std::string& request_id, const std::vect
   answer(reply.decision.chosen ? ChooseStatus::kPick : ChooseStatus::kNoneFits,
          decisionText(reply.decision, available, open->order));
   const std::chrono::duration<double, std::milli> elapsed = Clock::now() - start;
-  record({PickDecided{request_id, available, notes, reply, elapsed.count() + elapsed_ms_of_caller}});
+  std::vector<SessionEvent> events(1);  // a list in braces copies the options of thousands of boxes again
+  events[0] = PickDecided{request_id, available, notes, reply, elapsed.count() + elapsed_ms_of_caller};
+  record(events);
   budget_ms_ = budget_ms;
   ponderAfter(*state_.open()->decisions.back());
   return reply;

@@ -112,7 +112,11 @@ bool PlayoutRace::playUntil(std::size_t rounds, const packing::StopCallback& sto
   }
   const std::size_t done = runners_[players.front()].ends.size();
   std::vector<std::vector<int>> arrivals;
-  for (std::size_t future = done; future < rounds; ++future) arrivals.push_back(futures_.arrival(future));
+  for (std::size_t future = done; future < rounds; ++future) {
+    if (stop && stop()) break;  // of many boxes each draw takes its time
+    arrivals.push_back(futures_.arrival(future));
+  }
+  if (arrivals.empty()) return false;
   std::vector<std::optional<PlayoutEnd>> ends(arrivals.size() * players.size());
   std::atomic<bool> stopped{false};
   packing::inParallel(ends.size(), static_cast<int>(engines_.size()), [&](std::size_t worker, std::size_t i) {

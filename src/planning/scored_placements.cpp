@@ -91,6 +91,7 @@ std::vector<ScoredPlacement> scoredPlacements(const packing::PalletState& pallet
   std::vector<packing::Placement> placements;
   bool stopped = false;
   for (const int type : types) {
+    stopped = stopped || (stop && stop());
     if (stopped) break;
     placementsOf(pallet, policy.sizes(type), type, Trials::kThorough, gripper, placements, stop);
     --remaining[static_cast<std::size_t>(type)];
