@@ -1,24 +1,66 @@
 #!/usr/bin/env python3
-"""The table of scripts/torture.sh from the rows its tests printed; with --write also in a document, between its marks."""
+"""The table of scripts/torture.sh from the rows its tests printed; with --write also in a document, between its marks, where each
+row names the run it comes from: its command and date."""
 import argparse
 import datetime
+import fcntl
 import json
 import pathlib
+import re
 import sys
 
 BEGIN, END = '<!-- table: begin -->', '<!-- table: end -->'
+COLUMNS = '| test | tried | survived | lost | recovery p99 | slowest | run |'
+ROW = re.compile(r'^\| (?P<test>[^|]+?) \| (?P<cells>\d+ \| \d+ \| \d+ \| [^|]* \| [^|]*) \| (?P<run>\d+) \|$', re.MULTILINE)
+RUN = re.compile(r'^(?P<run>\d+)\. (?P<command>`[^`]+`, .*)$', re.MULTILINE)
 
 
 def seconds(value):
     return '' if value is None else '%.2f s' % value
 
 
-def table(rows, command):
-    lines = ['`%s`, %s (UTC):' % (command, datetime.datetime.utcnow().strftime('%Y-%m-%d')), '',
-             '| test | tried | survived | lost | recovery p99 | slowest |', '| --- | --- | --- | --- | --- | --- |']
-    lines += ['| %s | %d | %d | %d | %s | %s |' % (row['test'], row['tried'], row['survived'], row['lost'],
-                                                  seconds(row['p99_s']), seconds(row['slowest_s'])) for row in rows]
+def new_rows(path, command):
+    """{test: (cells, run)} of the lines of the file."""
+    run = '`%s`, %s (UTC)' % (command, datetime.datetime.utcnow().strftime('%Y-%m-%d'))
+    rows = {}
+    for line in path.read_text().splitlines():
+        row = json.loads(line)
+        cells = '%d | %d | %d | %s | %s' % (row['tried'], row['survived'], row['lost'], seconds(row['p99_s']),
+                                            seconds(row['slowest_s']))
+        rows[row['test']] = (cells, run)
+    return rows
+
+
+def old_rows(text):
+    """The same of a table that was written before."""
+    runs = {match['run']: match['command'] for match in RUN.finditer(text)}
+    return {match['test']: (match['cells'], runs[match['run']]) for match in ROW.finditer(text)}
+
+
+def table(rows):
+    runs = list(dict.fromkeys(run for _, run in rows.values()))
+    lines = [COLUMNS, re.sub(r' [^|]+ ', ' --- ', COLUMNS)]
+    lines += ['| %s | %s | %d |' % (test, cells, runs.index(run) + 1) for test, (cells, run) in rows.items()]
+    lines += ['', 'The runs:', '']
+    lines += ['%d. %s' % (i + 1, run) for i, run in enumerate(runs)]
     return '\n'.join(lines)
+
+
+def write(document, rows, keep):
+    """False when the marks are missing. Several runs may write at the same time."""
+    with document.open('r+', encoding='utf-8') as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        text = file.read()
+        if BEGIN not in text or END not in text:
+            return False
+        before, rest = text.split(BEGIN)
+        between, after = rest.split(END)
+        if keep:
+            rows = {**old_rows(between), **rows}
+        file.seek(0)
+        file.truncate()
+        file.write('%s%s\n%s\n%s%s' % (before, BEGIN, table(rows), END, after))
+    return True
 
 
 def main():
@@ -26,18 +68,14 @@ def main():
     parser.add_argument('--rows', required=True, type=pathlib.Path, help='file with one JSON object a line')
     parser.add_argument('--command', required=True, help='that made the rows')
     parser.add_argument('--write', type=pathlib.Path, help='document with the marks %s and %s' % (BEGIN, END))
+    parser.add_argument('--keep', action='store_true', help="keep the document's rows of other tests, with their runs")
     arguments = parser.parse_args()
-    text = table([json.loads(line) for line in arguments.rows.read_text().splitlines()], arguments.command.strip())
-    print(text)
-    if arguments.write is None:
+    rows = new_rows(arguments.rows, arguments.command.strip())
+    print(table(rows))
+    if arguments.write is None or write(arguments.write, rows, arguments.keep):
         return 0
-    document = arguments.write.read_text(encoding='utf-8')
-    if BEGIN not in document or END not in document:
-        print('print_table: %s: its marks are missing' % arguments.write, file=sys.stderr)
-        return 1
-    before, after = document.split(BEGIN)[0], document.split(END)[1]
-    arguments.write.write_text('%s%s\n%s\n%s%s' % (before, BEGIN, text, END, after), encoding='utf-8')
-    return 0
+    print('print_table: %s: its marks are missing' % arguments.write, file=sys.stderr)
+    return 1
 
 
 if __name__ == '__main__':
