@@ -18,17 +18,18 @@ constexpr std::uint32_t kGood = 0x2ca02c;
 constexpr std::uint32_t kFlagged = 0xe6b800;
 constexpr std::uint32_t kPartial = 0xff7f0e;
 constexpr std::uint32_t kRefused = 0xd62728;
-constexpr std::uint32_t kRefusedWords = 0xff8080;  // readable on a grey floor
+constexpr std::uint32_t kRefusedWords = 0xffb3a7;  // readable on a grey floor
 constexpr std::uint32_t kWood = 0xa07850;
 constexpr std::uint32_t kSpace = 0x4aa3df;
 constexpr std::uint32_t kNext = 0xff7f0e;
 constexpr double kLineM = 0.007;
 constexpr double kLetterM = 0.07;
 constexpr double kSmallestLetterM = 0.025;
-constexpr double kLetterShare = 0.2;        // of the length of a box: its size in one line is about as long
+constexpr double kLetterShare = 0.17;       // of the length of a box: its size in one line is about as long
 constexpr std::size_t kReasonLetters = 32;  // in a line of the reason of a refusal
 constexpr double kInflateM = 0.006;  // drawn around the cloud's points, which would otherwise hide the faces
 constexpr double kSigmas = 2.0;      // of the solid drawn around a box: 95 %
+constexpr double kUnknownM = 0.1;    // a side that may be off by more is not known
 constexpr double kCarrierM = 0.10;   // height of the carrier in the picture
 
 std::string millimeters(const geometry_msgs::Vector3& size) {
@@ -83,6 +84,7 @@ Eigen::Vector3d sideDeviation(const Box& box, const geometry::Pose& pose) {
 
 std::string deviationWords(const geometry_msgs::Vector3& stddev) {
   const auto mm = [](double m) {
+    if (!(kSigmas * m <= kUnknownM)) return std::string("?");
     char text[32];
     std::snprintf(text, sizeof text, "%.1f", kSigmas * m * kMillimetersPerMeter);
     return std::string(text);

@@ -2,6 +2,7 @@
 #include <QApplication>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTableWidget>
@@ -15,6 +16,7 @@
 #include <ros/ros.h>
 #include <rviz/panel.h>
 
+#include <mixed_palletizing/BoxArray.h>
 #include <mixed_palletizing/GetPalletState.h>
 
 namespace {
@@ -51,6 +53,17 @@ class CellPanelTest : public testing::Test {
     ASSERT_TRUE(waitFor([&] { return the<QPushButton>("calibrate").isEnabled(); })) << name;
   }
 
+  /// Answers the question that comes up after a click.
+  void answer(const char* name, QMessageBox::StandardButton choice) {
+    auto& button = the<QPushButton>(name);
+    ASSERT_TRUE(waitFor([&] { return button.isEnabled(); })) << name << ": " << text("status");
+    QTest::mouseClick(&button, Qt::LeftButton);
+    QMessageBox* question = nullptr;
+    ASSERT_TRUE(waitFor([&] { return (question = panel_->findChild<QMessageBox*>()) != nullptr; })) << name;
+    QTest::mouseClick(question->button(choice), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return panel_->findChild<QMessageBox*>() == nullptr; })) << name;
+  }
+
   static mixed_palletizing::PalletState planner() {
     mixed_palletizing::GetPalletState both;
     EXPECT_TRUE(ros::service::call("pick_planner/get_pallet_state", both));
@@ -80,7 +93,12 @@ TEST_F(CellPanelTest, RunsAPallet) {
   EXPECT_TRUE(waitFor([&] { return the<QTableWidget>("options").rowCount() == 3; }));
   ASSERT_TRUE(waitFor([&] { return the<QPushButton>("placed").isEnabled(); })) << text("status");
   ASSERT_EQ(planner().has_pending, 1);
+  const auto there = ros::topic::waitForMessage<mixed_palletizing::BoxArray>("zivid_camera/truth");
   click("placed");
+  EXPECT_NE(text("status").find("simulated robot: took"), std::string::npos) << text("status");
+  EXPECT_NE(ros::topic::waitForMessage<mixed_palletizing::BoxArray>("zivid_camera/truth")->boxes,
+            there->boxes)
+      << "the box is still in the pick area";
   ASSERT_TRUE(waitFor([&] { return the<QProgressBar>("order").value() == 1; })) << text("pallet");
   EXPECT_EQ(planner().placements.size(), 1u);
   EXPECT_GT(the<QProgressBar>("utilization").value(), 0);
@@ -93,13 +111,18 @@ TEST_F(CellPanelTest, RunsAPallet) {
   click("undo");
   ASSERT_TRUE(waitFor([&] { return the<QProgressBar>("order").value() == 0; })) << text("pallet");
   EXPECT_TRUE(planner().placements.empty());
-  click("close");
-  ASSERT_TRUE(waitFor([&] { return !the<QPushButton>("close").isEnabled(); })) << text("status");
+  answer("close", QMessageBox::No);
+  EXPECT_EQ(planner().is_open, 1) << "the order is not complete";
+  answer("close", QMessageBox::Yes);
+  ASSERT_TRUE(waitFor([&] { return planner().is_open == 0 && the<QPushButton>("calibrate").isEnabled(); }))
+      << text("status");
   EXPECT_NE(text("status").find("0 placed"), std::string::npos) << text("status");
   EXPECT_EQ(planner().is_open, 0);
 }
 
 TEST_F(CellPanelTest, SaysWhatIsMissing) {
+  click("start");
+  EXPECT_NE(text("status").find("choose a file of orders"), std::string::npos) << text("status");
   the<QLineEdit>("order_file").setText("/nowhere.jsonl");
   click("start");
   EXPECT_NE(text("status").find("/nowhere.jsonl"), std::string::npos) << text("status");

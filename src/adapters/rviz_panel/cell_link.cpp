@@ -33,10 +33,12 @@ CellLink::~CellLink() {
   spinner_.stop();
 }
 
+bool CellLink::has(const std::string& name) const {
+  return ros::service::exists(node_.resolveName(name), false);
+}
+
 void CellLink::requireServer(const std::string& name) {
-  if (!ros::service::exists(node_.resolveName(name), false)) {
-    throw CallError(node_.resolveName(name) + " is not there: is the cell running?");
-  }
+  if (!has(name)) throw CallError(node_.resolveName(name) + " is not there: is the cell running?");
 }
 
 void CellLink::enter(const ros::ServiceClient& client) {

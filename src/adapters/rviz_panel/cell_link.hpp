@@ -51,6 +51,9 @@ class CellLink {
     return both.response;
   }
 
+  /// Whether a service of the cell is there.
+  bool has(const std::string& name) const;
+
   /// Breaks a running call off; later ones fail at once, and nothing is heard of the cell any more.
   void close();
 

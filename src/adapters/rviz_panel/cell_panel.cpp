@@ -1,9 +1,10 @@
 #include "cell_panel.hpp"
 
 #include <QFileDialog>
+#include <QMessageBox>
 #include <QMetaObject>
 #include <QUrl>
-#include <stdexcept>
+#include <exception>
 #include <utility>
 
 #include <pluginlib/class_list_macros.hpp>
@@ -15,9 +16,8 @@
 #include <mixed_palletizing/ReportPick.h>
 #include <mixed_palletizing/StartPallet.h>
 #include <mixed_palletizing/UndoLast.h>
-#include <mixed_palletizing/adapters/start_request.hpp>
-#include <mixed_palletizing/instances/files.hpp>
 
+#include "order_file.hpp"
 #include "panel_text.hpp"
 
 namespace mixed_palletizing::rviz_panel {
@@ -26,16 +26,6 @@ namespace {
 constexpr char kCellKey[] = "Cell";
 constexpr char kFileKey[] = "Order File";
 constexpr char kIndexKey[] = "Order Index";
-
-StartPalletRequest readOrder(const std::string& path, int index) {
-  const std::vector<instances::Instance> all = instances::readInstances(path);
-  if (static_cast<std::size_t>(index) >= all.size()) {
-    throw std::invalid_argument(path + ": has " + std::to_string(all.size()) + " orders, no number " +
-                                std::to_string(index));
-  }
-  const instances::Instance& chosen = all[static_cast<std::size_t>(index)];
-  return adapters::startRequest(chosen.name, chosen.order);
-}
 
 }  // namespace
 
@@ -59,7 +49,7 @@ void CellPanel::connectButtons() {
   on(widgets_.start, &CellPanel::start);
   on(widgets_.next, &CellPanel::next);
   on(widgets_.undo, &CellPanel::undo);
-  on(widgets_.close, &CellPanel::closePallet);
+  on(widgets_.close, &CellPanel::askToClose);
   on(widgets_.browse, &CellPanel::browse);
   connect(widgets_.placed, &QPushButton::clicked, this, [this] { report(ReportPickRequest::PLACED); });
   connect(widgets_.discarded, &QPushButton::clicked, this, [this] { report(ReportPickRequest::DISCARDED); });
@@ -152,8 +142,9 @@ void CellPanel::next() {
     ChooseNextPickRequest request;
     request.boxes = seen.boxes.boxes;
     const auto answer = link.call<ChooseNextPick>("pick_planner/choose_next_pick", request);
-    return [this, answer] {
+    return [this, seen, answer] {
       decision_id_ = answer.decision_id;
+      leaving_ = leavingBoxes(seen.boxes, answer);
       say(chooseLine(answer));
     };
   });
@@ -163,11 +154,16 @@ void CellPanel::report(std::uint8_t outcome) {
   ReportPickRequest request;
   request.decision_id = decision_id_;
   request.outcome = outcome;
-  run("reporting ...", [this, request](CellLink& link) -> Update {
+  LeavingBoxes leaving;
+  if (outcome != ReportPickRequest::FAILED && leaving_.decision_id == decision_id_) leaving = leaving_;
+  run("reporting ...", [this, request, leaving](CellLink& link) -> Update {
     const auto answer = link.call<ReportPick>("pick_planner/report_pick", request);
-    return [this, answer] {
-      if (answer.status == ReportPickResponse::OK) decision_id_ = 0;
-      say(answer.message.empty() ? "reported" : answer.message);
+    if (answer.status != ReportPickResponse::OK) return [this, answer] { say(answer.message); };
+    const bool discard = request.outcome == ReportPickRequest::DISCARDED;
+    const std::string taken = takeFromSimulation(link, leaving, discard);
+    return [this, answer, taken] {
+      decision_id_ = 0;
+      say((answer.message.empty() ? "reported" : answer.message) + (taken.empty() ? "" : "; " + taken));
     };
   });
 }
@@ -177,6 +173,21 @@ void CellPanel::undo() {
     const auto answer = link.call<UndoLast>("pick_planner/undo_last", {});
     return [this, answer] { say(answer.message.empty() ? "taken back" : answer.message); };
   });
+}
+
+void CellPanel::askToClose() {
+  if (unfinished_.empty()) return closePallet();
+  // Not exec(): rviz may take the panel away meanwhile.
+  auto* question = new QMessageBox(
+      QMessageBox::Question, "Close pallet",
+      QString::fromStdString(unfinished_) + ".\nClose it all the same? It cannot be opened again.",
+      QMessageBox::Yes | QMessageBox::No, this);
+  question->setDefaultButton(QMessageBox::No);
+  question->setAttribute(Qt::WA_DeleteOnClose);
+  connect(question, &QMessageBox::finished, this, [this](int answer) {
+    if (answer == QMessageBox::Yes) closePallet();
+  });
+  question->open();
 }
 
 void CellPanel::closePallet() {
@@ -203,6 +214,8 @@ void CellPanel::onState(const PalletState& state) {
     decision_id_ = 0;
   }
   revision_ = state.revision;
+  const OrderProgress progress = orderProgress(state);
+  unfinished_ = progress.placed + progress.discarded < progress.total ? palletLine(state) : "";
   widgets_.show(state);
   refresh();
 }

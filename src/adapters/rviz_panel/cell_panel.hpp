@@ -12,6 +12,7 @@
 
 #include "cell_link.hpp"
 #include "panel_widgets.hpp"
+#include "simulated_pick_area.hpp"
 #include "work_thread.hpp"
 
 namespace mixed_palletizing::rviz_panel {
@@ -43,6 +44,7 @@ class CellPanel : public rviz::Panel {
   void next();
   void report(std::uint8_t outcome);
   void undo();
+  void askToClose();
   void closePallet();
   void browse();
 
@@ -51,8 +53,10 @@ class CellPanel : public rviz::Panel {
   PanelWidgets widgets_;
   bool busy_ = false;
   bool pallet_open_ = false;
+  std::string unfinished_;  // what is on the open pallet while boxes of its order are missing, else empty
   std::uint64_t revision_ = 0;
   std::uint64_t decision_id_ = 0;  // 0 = none to report
+  LeavingBoxes leaving_;           // of the last decision that was asked for here
   std::shared_ptr<CellLink> link_;
   std::unique_ptr<WorkThread> thread_;
 };

@@ -1,6 +1,7 @@
 #include "panel_text.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <numeric>
 
@@ -22,6 +23,9 @@ std::string fixed(double value, int digits) {
 std::string counted(std::size_t count, const char* one, const char* more) {
   return std::to_string(count) + " " + (count == 1 ? one : more);
 }
+
+/// A box as the markers of the detection label it.
+std::string numbered(std::int64_t index) { return "#" + std::to_string(index); }
 
 std::string millimeters(double x, double y, double z) {
   const auto mm = [](double m) { return fixed(m * adapters::kMillimetersPerMeter, 0); };
@@ -62,7 +66,9 @@ std::string calibrateLine(const CalibrateResponse& answer) {
 }
 
 std::string chooseLine(const ChooseNextPickResponse& answer) {
-  return answer.message + " (" + fixed(answer.decision_ms, 0) + " ms)";
+  const bool picks = answer.status == ChooseNextPickResponse::PICK;
+  return (picks ? numbered(answer.chosen_index) + ": " : "") + answer.message + " (" +
+         fixed(answer.decision_ms, 0) + " ms)";
 }
 
 std::string closeLine(const ClosePalletResponse& answer) {
@@ -79,7 +85,7 @@ std::vector<std::array<std::string, kOptionTitles.size()>> optionRows(const Pick
     const PickOption& option = decision.options[i];
     const geometry_msgs::Point& corner = option.placement.origin;
     const bool played = option.playouts > 0;
-    rows.push_back({std::to_string(i + 1), option.type_id.empty() ? "?" : option.type_id,
+    rows.push_back({numbered(static_cast<std::int64_t>(i)), option.type_id.empty() ? "?" : option.type_id,
                     option.feasible != 0 ? millimeters(corner.x, corner.y, corner.z) : option.reason,
                     option.future_costs.empty() ? "" : fixed(option.future_costs.front(), 4),
                     played ? std::to_string(option.playouts) : "",

@@ -53,6 +53,8 @@ QTableWidget* table() {
   QStringList titles;
   for (const char* title : kOptionTitles) titles << title;
   made->setHorizontalHeaderLabels(titles);
+  for (int k = 0; k < titles.size(); ++k)
+    made->horizontalHeaderItem(k)->setToolTip(kOptionHints[static_cast<std::size_t>(k)]);
   made->verticalHeader()->hide();
   made->setEditTriggers(QAbstractItemView::NoEditTriggers);
   made->setSelectionMode(QAbstractItemView::NoSelection);
@@ -115,6 +117,8 @@ PanelWidgets::PanelWidgets(QWidget& window)
   order_index->setToolTip("Which order of the file, from 0");
   order->setMaximum(1);
   utilization->setMaximum(kPerMille);
+  order_file->setToolTip("File of orders, one JSON object a line");
+  QObject::connect(order_file, &QLineEdit::textChanged, order_file, &QWidget::setToolTip);
   report->setOpenExternalLinks(true);
   arrange(*this, window);
   enable(true, false, false);

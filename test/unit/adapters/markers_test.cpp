@@ -127,6 +127,8 @@ TEST(BoxMarkers, uncertaintyIsAroundTheBoxAlongItsOwnAxes) {
   const Eigen::Vector3d beyond = reach(firstOf(*all, "uncertainty")) - reach(firstOf(*all, "outlines"));
   EXPECT_LT((beyond - Eigen::Vector3d(0.0, 0.02, 0.04)).norm(), 1e-9) << beyond.transpose();
   EXPECT_EQ(firstOf(*all, "uncertainty_labels").text, " \n \n+-0.0 0.0 80.0");
+  array.boxes[0].size_stddev.x = 0.4;
+  EXPECT_EQ(firstOf(*boxMarkers(array), "uncertainty_labels").text, " \n \n+-? 0.0 80.0") << "not known";
 }
 
 PalletState pallet() {
