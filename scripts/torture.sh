@@ -77,8 +77,8 @@ torture() {
 }
 
 install_packages build test
-CATKIN_ENABLE_TESTING=ON make_workspace pick_planner pallet_journal journal_damage invariants out_of_memory mixed_palletizing_nodelets \
-  cell_simulator
+CATKIN_ENABLE_TESTING=ON make_workspace mixed_palletizing_generate_messages pick_planner pallet_journal journal_damage invariants out_of_memory \
+  mixed_palletizing_nodelets cell_simulator
 use_workspace
 build=$workspace/devel/lib/mixed_palletizing
 export ROS_HOME=$results/ros ROS_MASTER_URI=http://localhost:$(free_port)

@@ -3,6 +3,7 @@
 
 #include <mixed_palletizing/adapters/converters/jsk_boxes.hpp>
 #include <mixed_palletizing/adapters/converters/topic_converter.hpp>
+#include <mixed_palletizing/adapters/master_watch.hpp>
 #include <mixed_palletizing/adapters/names.hpp>
 
 namespace adapters = mixed_palletizing::adapters;
@@ -13,6 +14,7 @@ int main(int argc, char** argv) {
   const converters::TopicConverter<mixed_palletizing::BoxArray, jsk_recognition_msgs::BoundingBoxArray>
       converter(ros::NodeHandle(), adapters::names::kBoxes, adapters::names::kBoundingBoxes,
                 converters::toJskBoxes);
+  const adapters::MasterWatch watch(adapters::endNode);
   ros::spin();
-  return 0;
+  return watch.forgotten() ? 1 : 0;
 }

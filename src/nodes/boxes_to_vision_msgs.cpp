@@ -3,6 +3,7 @@
 
 #include <mixed_palletizing/adapters/converters/topic_converter.hpp>
 #include <mixed_palletizing/adapters/converters/vision_detections.hpp>
+#include <mixed_palletizing/adapters/master_watch.hpp>
 #include <mixed_palletizing/adapters/names.hpp>
 
 namespace adapters = mixed_palletizing::adapters;
@@ -14,6 +15,7 @@ int main(int argc, char** argv) {
   const converters::TopicConverter<mixed_palletizing::BoxArray, vision_msgs::Detection3DArray> converter(
       ros::NodeHandle(), adapters::names::kBoxes, adapters::names::kDetections,
       [class_id](const auto& boxes) { return converters::toVisionDetections(boxes, class_id); });
+  const adapters::MasterWatch watch(adapters::endNode);
   ros::spin();
-  return 0;
+  return watch.forgotten() ? 1 : 0;
 }

@@ -6,6 +6,7 @@
 #include <ros/ros.h>
 
 #include <mixed_palletizing/adapters/converters/pallet_scene.hpp>
+#include <mixed_palletizing/adapters/master_watch.hpp>
 #include <mixed_palletizing/adapters/names.hpp>
 #include <mixed_palletizing/adapters/parameters.hpp>
 
@@ -26,7 +27,9 @@ int main(int argc, char** argv) {
         [&](const mixed_palletizing::PalletStateConstPtr& state) {
           for (const auto& message : scene.update(*state)) publisher.publish(message);
         });
+    const adapters::MasterWatch watch(adapters::endNode);
     ros::spin();
+    if (watch.forgotten()) return 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "pallet_to_moveit does not start: %s\n", error.what());
     return 1;
