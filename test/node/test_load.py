@@ -21,7 +21,7 @@ from mixed_palletizing.srv import (Calibrate, CalibrateRequest, CalibrateRespons
                                    ReportPickRequest, ReportPickResponse, StartPalletResponse, UndoLastResponse)
 from sensor_msgs.msg import PointCloud2  # noqa: E402
 
-from bad_clouds import replaced  # noqa: E402
+from bad_clouds import replaced, with_points  # noqa: E402
 from cell_client import Latest, capture  # noqa: E402
 from counts import Counts  # noqa: E402
 from killed_planner import PlannerProcess  # noqa: E402
@@ -33,6 +33,7 @@ CALLS = 6          # of each client
 FLOOD_S = 4.0
 OLD_S = 1.2        # a queue that grows makes answers older than this within the flood
 LOOKS = 20         # at memory, during the soak
+MEMORY = '/dev/shm'  # on a disk most of the soak would be waiting for its syncs
 
 
 class Flood:
@@ -65,6 +66,13 @@ def publish(publisher, cloud):
     return cloud.header.stamp
 
 
+def thinned(cloud):
+    """Every second point of every second row: a quarter of the work."""
+    height, width = (cloud.height + 1) // 2, (cloud.width + 1) // 2
+    return replaced(with_points(cloud, lambda points: points[::2, ::2]), height=height, width=width,
+                    row_step=width * cloud.point_step)
+
+
 def at_once(count, work):
     """work(i) in `count` threads; what they returned."""
     results, errors = [None] * count, []
@@ -92,10 +100,10 @@ class Load(PlannerClient):
         cls.rate_hz = rospy.get_param('~rate_hz', 200)
         cls.cycles = rospy.get_param('~cycles', 120)
         cls.rng = random.Random(rospy.get_param('~seed', 1))
-        cls.folder = tempfile.TemporaryDirectory()
+        cls.folder = tempfile.TemporaryDirectory(dir=MEMORY if os.path.isdir(MEMORY) else None)
         # Few pallets, so that the journal, of which SQLite keeps up to 2 MB in memory, has its final size soon.
         cls.planner = PlannerProcess(os.path.join(cls.folder.name, 'p.journal'), None,
-                                     ('_time_budget_s:=0.01', '_journal/keep_pallets:=3'))
+                                     ('_time_budget_s:=0.002', '_journal/keep_pallets:=3'))
         cls.planner.start()
         super().setUpClass()
         cls.states.close()  # they would pile up here
@@ -174,7 +182,7 @@ class Load(PlannerClient):
         self.assertIn(CalibrateResponse.OK, told)
         time.sleep(1.0)  # the last cloud
         before = self.diagnostics.count()
-        self.assertEqual(set(at_once(self.clients, detect(0.3))), {DetectBoxesResponse.TIMEOUT})
+        self.assertEqual(set(at_once(self.clients, detect(2.5))), {DetectBoxesResponse.TIMEOUT})
         self.assertGreater(self.diagnostics.count(), before, 'waiting clients silence the diagnostics')
 
     def test_3_latest_cloud_wins(self):
@@ -204,12 +212,17 @@ class Load(PlannerClient):
             self.soak(uses)
 
     def soak(self, uses):
+        cloud = thinned(self.cloud)
+        for name in ('choose_next_pick', 'report_pick'):  # connecting anew takes longer than the answer
+            self.services[name] = rospy.ServiceProxy(self.services[name].resolved_name, self.services[name].service_class,
+                                                     persistent=True)
         for cycle in range(self.cycles):
-            publish(self.points, self.cloud)
+            publish(self.points, cloud)
             self.one_pick(cycle)
             if (cycle + 1) % max(1, self.cycles // LOOKS) == 0:
-                last = publish(self.points, self.cloud)
-                self.assertIsNotNone(self.boxes.wait_for(lambda m: m.header.stamp == last, 20.0))
+                last = publish(self.points, cloud)
+                seen = self.boxes.wait_for(lambda m: m.header.stamp == last, 20.0)
+                self.assertTrue(seen is not None and seen.boxes, 'no boxes in the last cloud of cycle %d' % cycle)
                 time.sleep(0.3)
                 for use in uses:
                     use.look()
