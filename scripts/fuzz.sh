@@ -33,8 +33,12 @@ say "building the fuzzers in $build"
   make -C "$build" -j"$jobs" "${names[@]/%/_fuzzer}"; } >"$build.log" 2>&1 ||
   { grep -E -A6 'error|Error' "$build.log" | head -n 60 >&2; die "the build failed; the whole log is $build.log"; }
 
+fuzzers=("${names[@]/#/$build/devel/lib/mixed_palletizing/}")
+use_libraries_of "$build" "${fuzzers[@]/%/_fuzzer}"
+
 # Half the time went into long call stacks of allocations, freed memory that is kept, and the choice of the next input.
 export ASAN_OPTIONS=malloc_context_size=4:quarantine_size_mb=8:${ASAN_OPTIONS:-}
+
 # What a fuzzer finds interesting stays in the workspace; the committed corpus is read only.
 failed=0
 for name in "${names[@]}"; do

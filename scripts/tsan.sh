@@ -29,6 +29,7 @@ say "building with the thread sanitizer in $build"
 
 export TSAN_OPTIONS="second_deadlock_stack=1 ${TSAN_OPTIONS:-}"
 programs=$build/devel/lib/mixed_palletizing
+use_libraries_of "$build" "$programs/invariants" "$programs/planning_test"
 tried=0
 lost=0
 # run COMMAND...: one test; lost when it fails or the sanitizer reports anything.

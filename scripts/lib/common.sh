@@ -69,6 +69,18 @@ use_workspace() {
   export PATH=/usr/bin:$PATH
 }
 
+# use_libraries_of BUILD PROGRAM...: a shell that uses a workspace finds the workspace's libraries first, not those that were built with
+# the programs; from here on it finds the latter, and the programs are looked at.
+use_libraries_of() {
+  local build=$1 program others
+  shift
+  export LD_LIBRARY_PATH=$build/devel/lib:${LD_LIBRARY_PATH:-}
+  for program in "$@"; do
+    others=$(ldd "$program" | awk '/libmixed_palletizing/ {print $3}' | grep -vF "$build/devel/lib/" || true)
+    [ -z "$others" ] || die "$program takes ${others//$'\n'/, } instead of the libraries of $build"
+  done
+}
+
 # free_port: a TCP port nobody listens on.
 free_port() {
   /usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
