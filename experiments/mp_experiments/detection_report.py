@@ -7,17 +7,26 @@ from .report_parts import add_facts, add_commands
 from .statistics import number
 
 METHODS = (('best', 'ours'), ('thesis', "thesis' method"))
-HEADERS = ['scenes', '', 'boxes', 'recall', 'precision', 'position mean', 'RMS', '95 %', 'worst', 'yaw mean', '95 %',
+HEADERS = ['scenes', 'boxes', 'recall', 'precision', 'position mean', 'RMS', '95 %', 'worst', 'yaw mean', '95 %',
            'worst', 'sides RMS', '95 %', 'worst', 'height mean', 'worst', 'incomplete', 'within 2 σ', 'wrong sizes', 'ms']
+
+
+def _across(text, kind=''):
+    """A text over all columns but the first."""
+    return Cell(text, kind, len(HEADERS) - 1)
+
+
+def _title_row(title):
+    return Row([Cell(title, '', len(HEADERS))], 'group title')
 
 
 def _limit_row(row):
     if row.truncated:
-        return Row([row.title, 'wanted', 'every one flagged TRUNCATED, no confident wrong size'], 'group')
+        return ['wanted', _across('every one flagged TRUNCATED, no confident wrong size')]
     limits = row.limits
-    return Row([row.title, 'wanted', '', f'≥ {limits["recall"]:g}', f'≥ {limits["precision"]:g}',
-                f'≤ {limits["position"]:g}', '', '', '', f'≤ {limits["yaw"]:g}', '', '', f'≤ {limits["side"]:g}', '', '',
-                f'≤ {limits["height"]:g}', '', '', '', '', ''], 'group')
+    return ['wanted', '', f'≥ {limits["recall"]:g}', f'≥ {limits["precision"]:g}',
+            f'≤ {limits["position"]:g}', '', '', '', f'≤ {limits["yaw"]:g}', '', '', f'≤ {limits["side"]:g}', '', '',
+            f'≤ {limits["height"]:g}', '', '', '', '', '']
 
 
 def _judged(row, summary, limit, digits):
@@ -33,7 +42,7 @@ def _statistic(statistics, name, digits=2):
 
 def _figures(row, name, s):
     position, yaw, side, height = s['position_mm'], s['yaw_deg'], s['side_mm'], s['height_mm']
-    cells = ['', name, s['boxes'], _judged(row, s, 'recall', 3), _judged(row, s, 'precision', 3),
+    cells = [name, s['boxes'], _judged(row, s, 'recall', 3), _judged(row, s, 'precision', 3),
              _judged(row, s, 'position', 2)]
     cells += [_statistic(position, which) for which in ('rms', 'p95', 'worst')]
     cells += [_judged(row, s, 'yaw', 3)] + [_statistic(yaw, which, 3) for which in ('p95', 'worst')]
@@ -47,12 +56,7 @@ def _figures(row, name, s):
 def _truncated_figures(name, s):
     text = (f'{s["truncated_flagged"]} flagged of {s["truncated_found"]} found of {s["truncated"]} in the scenes; '
             f'{s["sizes_beyond_stddev"]} wrong sizes; median {s["detect_ms"]["median"]:.0f} ms')
-    return ['', name, Cell(text, 'good' if truncated_holds(s) else 'bad')]
-
-
-def _spanning(rows):
-    """Rows shorter than the head, filled up."""
-    return [Row(list(r) + [''] * (len(HEADERS) - len(r)), getattr(r, 'kind', '')) for r in rows]
+    return [name, _across(text, 'good' if truncated_holds(s) else 'bad')]
 
 
 def _base_table(page, results):
@@ -101,16 +105,16 @@ def make(tools, measurer, options, out):
     add_facts(page, [('scenes a row', count), ('seed', options.seed)])
     lines = []
     for row, measurements in results:
-        lines.append(_limit_row(row))
+        lines += [_title_row(row.title), _limit_row(row)]
         for method, name in METHODS:
             s = measurements[method].summary
             lines.append(_truncated_figures(name, s) if row.truncated else _figures(row, name, s))
-    lines.append(Row(['the thesis on its simulator (one to four separated boxes)', 'printed', ''] +
-                     thesis_numbers.DETECTION_ROW, 'group'))
-    page.table(HEADERS, _spanning(lines), 'Millimetres and degrees, base frame from the marker of each cloud. Position is '
+    lines += [_title_row('the thesis on its simulator (one to four separated boxes)'),
+              ['printed', ''] + thesis_numbers.DETECTION_ROW]
+    page.table(HEADERS, lines, 'Millimetres and degrees, base frame from the marker of each cloud. Position is '
                'the horizontal distance of the top\'s centre. "Incomplete": boxes of which a side is reported as not known; '
                'they are found, and left out of position and yaw. "Within 2 σ": share of the errors within two reported '
-               'standard deviations. "Wrong sizes": beyond three standard deviations and 5 mm.')
+               'standard deviations. "Wrong sizes": beyond three standard deviations and 5 mm.', 'wide')
     page.text('Boxes count when their whole top lies in the image and at least 35 % of it is seen. '
               f'{thesis_numbers.DETECTION_SOURCE}')
     _base_table(page, results)

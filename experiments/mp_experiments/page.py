@@ -12,41 +12,64 @@ caption { text-align: left; color: #555; padding-bottom: .3em; }
 th, td { padding: .22em .7em; border-bottom: 1px solid #e6e6e6; text-align: right; vertical-align: top; }
 th:first-child, td:first-child { text-align: left; } thead th { border-bottom: 2px solid #bbb; font-weight: 600; }
 tr.group td { border-top: 2px solid #ccc; } tr.soft td { color: #777; }
+tr.title td { font-weight: 600; } .wide th, .wide td { padding: .22em .35em; } .wide { font-size: .86em; }
+.wide td:first-child { white-space: nowrap; }
 td.good { color: #17692c; font-weight: 600; } td.bad { color: #b3261e; font-weight: 600; }
 figure { margin: 1em 0; } figure img { max-width: 100%; } figcaption { color: #555; font-size: .92em; }
 .gallery { display: flex; flex-wrap: wrap; gap: 1em; } .gallery figure { flex: 1 1 480px; max-width: 570px; margin: 0; }
 pre { background: #f6f6f4; padding: .7em; overflow-x: auto; font-size: .85em; } .facts td { text-align: left; }
 .layers { display: flex; flex-wrap: wrap; gap: .8em; } .layers figure { margin: 0; } svg { max-width: 100%; }
-svg text { fill: #222; } .tint { display: inline-block; width: .9em; height: .9em; border: 1px solid #555; } td.words {
-  text-align: left; } input[type=range] { width: 24em; vertical-align: middle; }
+svg text { fill: #222; } .tint { display: inline-block; width: .9em; height: .9em; border: 1px solid #555; } th.words,
+td.words { text-align: left; } input[type=range] { width: 24em; vertical-align: middle; }
 """
 
 
 class Cell:
-    """A cell with a class: 'good' or 'bad'."""
+    """A cell with a class: 'good' or 'bad'; a text over several columns ends its row."""
 
-    def __init__(self, text, kind=''):
-        self.text, self.kind = text, kind
+    def __init__(self, text, kind='', columns=1):
+        self.text, self.kind, self.columns = text, kind, columns
 
 
 class Row(list):
-    """A row with a class: 'group' starts a group, 'soft' is background."""
+    """A row with classes: 'group' starts a group, 'title' names it, 'soft' is background."""
 
     def __init__(self, cells, kind=''):
         super().__init__(cells)
         self.kind = kind
 
 
-def _cell(value, tag='td'):
-    kind = getattr(value, 'kind', '')
-    text = html.escape(str(getattr(value, 'text', value)))
-    return f'<{tag} class="{kind}">{text}</{tag}>' if kind else f'<{tag}>{text}</{tag}>'
+def _text(value):
+    return str(getattr(value, 'text', value))
 
 
-def _row(row):
+def _columns(value):
+    return getattr(value, 'columns', 1)
+
+
+def _cell(value, words, tag='td'):
+    kind = ' '.join(word for word in (getattr(value, 'kind', ''), 'words' if words or _columns(value) > 1 else '') if word)
+    span = f' colspan="{_columns(value)}"' if _columns(value) > 1 else ''
+    text = html.escape(_text(value))
+    for apart in (' mm', ' %', ' ms', '≥ ', '≤ '):
+        text = text.replace(apart, apart.replace(' ', '\N{NO-BREAK SPACE}'))
+    return f'<{tag} class="{kind}"{span}>{text}</{tag}>' if kind else f'<{tag}>{text}</{tag}>'
+
+
+def _cells(values, words, tag='td'):
+    return ''.join(_cell(value, column in words, tag) for column, value in enumerate(values))
+
+
+def _row(row, words):
     kind = getattr(row, 'kind', '')
     start = f'<tr class="{kind}">' if kind else '<tr>'
-    return start + ''.join(_cell(value) for value in row) + '</tr>'
+    return start + _cells(row, words) + '</tr>'
+
+
+def _word_columns(rows):
+    """Columns beside the first in which something begins with a letter: read from the left, numbers from the right."""
+    return {column for row in rows for column, value in enumerate(row)
+            if column > 0 and _columns(value) == 1 and _text(value)[:1].isalpha()}
 
 
 class Page:
@@ -62,8 +85,10 @@ class Page:
 
     def table(self, headers, rows, caption='', kind=''):
         """Rows are lists of values, Cells or Rows."""
-        head = ''.join(_cell(h, 'th') for h in headers)
-        body = '\n'.join(_row(row) for row in rows)
+        rows = list(rows)
+        words = _word_columns(rows)
+        head = _cells(headers, words, 'th')
+        body = '\n'.join(_row(row, words) for row in rows)
         title = f'<caption>{html.escape(caption)}</caption>' if caption else ''
         start = f'<table class="{kind}">' if kind else '<table>'
         head = f'<thead><tr>{head}</tr></thead>' if headers else ''

@@ -2,7 +2,7 @@
 import html
 
 from . import pallet_drawings
-from .page import Cell, Page
+from .page import Page
 
 # Hides everything that was placed after the chosen pick.
 SLIDER = """<p><label>picks <input type="range" min="0" max="{count}" value="{count}" oninput="showPicks(this)"> <output>{count}
@@ -35,10 +35,10 @@ def _facts(record):
     if center:
         rows.append(['centre of gravity', f'({center[0]:.0f}, {center[1]:.0f}, {center[2]:.0f}) mm, by {record["gravity_by"]}'])
     if margin is not None:
-        rows.append(['inside the boxes on the floor by', f'{margin:.0f} mm'])
+        rows.append(['centre of gravity inside the base by', f'{margin:.0f} mm'])
     times = record['decision_ms']
     if times:
-        rows.append(['decision median, 99 %, longest', f'{times["median"]:.1f}, {times["p99"]:.1f}, {times["max"]:.1f} ms'])
+        rows.append(['decision: median, 99th percentile, longest', f'{times["median"]:.1f}, {times["p99"]:.1f}, {times["max"]:.1f} ms'])
     return rows + record['details']
 
 
@@ -59,7 +59,7 @@ def _add_unpacked(page, record):
         page.text('Nothing: every box of the order was placed.')
         return
     page.table(['type', 'boxes', 'reason'],
-               [[u['type'] or 'not identified', u['count'], Cell(u['reason'], 'words')] for u in record['unpacked']])
+               [[u['type'] or 'not identified', u['count'], u['reason']] for u in record['unpacked']])
 
 
 def _add_sequence(page, record):

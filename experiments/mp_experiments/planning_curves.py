@@ -55,12 +55,12 @@ def add(page, orders, count, budget_ms, quick):
     few = max(1, count // SHARE)
     files = [(name, orders.generate(HEIGHT_MM, few, name, more), colour) for name, more, colour in KINDS]
     page.heading('Boxes in view')
-    page.text(f'`best`, {budget_ms:g} ms a decision, {few} orders of {HEIGHT_MM} mm a point; seed {orders.seed}.')
+    page.text(f'Method best, {budget_ms:g} ms a decision, orders of {HEIGHT_MM} mm, {few} a point; seed {orders.seed}.')
     curves = _curve(page, files, N_PICK, 'boxes in view',
                     lambda path, n: orders.plan(_with_n_pick(path, n), 'best', budget_ms))
     page.figure(plots.curves(curves, 'boxes in view', 'volume used [%]'), 'Volume used over the number of boxes in view.')
     page.heading('Time to decide')
-    page.text(f'`best`, three boxes in view, {few} orders of {HEIGHT_MM} mm a point; seed {orders.seed}. The planner ends a decision '
+    page.text(f'Method best, three boxes in view, orders of {HEIGHT_MM} mm, {few} a point; seed {orders.seed}. The planner ends a decision '
               'early when it is certain.')
     curves = _curve(page, files, _budgets(quick), 'budget ms',
                     lambda path, budget: orders.plan(path, 'best', budget, label=f'{budget:g}ms'))

@@ -65,6 +65,7 @@ def count_bars(panels, unit):
         axis.tick_params(labelsize=8)
         axis.xaxis.set_major_locator(ticker.MaxNLocator(8, integer=True))
         axis.yaxis.set_major_locator(ticker.MaxNLocator(5, integer=True))
+    axes[0][0].set_ylabel('orders', fontsize=9)
     axes[0][0].legend(fontsize=8, frameon=False)
     figure.tight_layout()
     return as_bytes(figure)
@@ -96,6 +97,10 @@ def curves(series, over, what):
     for name, numbers, values, colour in series:
         axis.plot(numbers, values, marker='o', markersize=4, linewidth=1.2, color=colour, label=name)
     axis.set_xscale('log')
+    places = sorted({number for _, numbers, _, _ in series for number in numbers})
+    axis.set_xticks(places)
+    axis.set_xticks([], minor=True)
+    axis.set_xticklabels([f'{place:g}' for place in places])
     axis.set_xlabel(over, fontsize=9)
     axis.set_ylabel(what, fontsize=9)
     axis.tick_params(labelsize=8)

@@ -94,8 +94,8 @@ class Pictures(unittest.TestCase):
         self.assertTrue(bars.startswith(b'\x89PNG'))
         placements = [{'type': 'a', 'origin_mm': [0, 0, 0], 'size_mm': [600, 400, 200]},
                       {'type': 'b', 'origin_mm': [600, 0, 0], 'size_mm': [300, 400, 100]}]
-        self.assertTrue(pallet_pictures.pallet(placements, [1200, 800, 600]).startswith(b'\x89PNG'))
-        self.assertTrue(pallet_pictures.pallet([], [1200, 800, 600]).startswith(b'\x89PNG'))
+        self.assertTrue(pallet_pictures.pallet(placements, [1200, 800, 600]).startswith(b'<svg'))
+        self.assertTrue(pallet_pictures.pallet([], [1200, 800, 600]).startswith(b'<svg'))
         grown = pallet_pictures.growing(placements, [1200, 800, 600], 5)
         self.assertEqual([picks for picks, _ in grown], [1, 2])
         self.assertNotEqual(grown[0][1], grown[1][1])
