@@ -54,6 +54,16 @@ std::vector<ExpectedWorld> expectedWorlds(const OpenPallet& open,
   return worlds;
 }
 
+std::vector<ExpectedWorld> worldsAfter(const PickReported& report, const OpenPallet& open,
+                                       const std::vector<int>& available, std::optional<std::size_t> chosen,
+                                       std::uint64_t seed) {
+  const bool failed = report.outcome == PickOutcome::kFailed;
+  std::vector<std::size_t> gone = report.discarded;
+  if (!failed && gone.empty() && chosen) gone = {*chosen};
+  if (!failed && gone.empty()) return {};  // all were discarded
+  return expectedWorlds(open, {}, without(available, gone), seed);
+}
+
 std::vector<int> without(const std::vector<int>& items, std::vector<std::size_t> indices) {
   std::sort(indices.begin(), indices.end());
   std::vector<int> rest;

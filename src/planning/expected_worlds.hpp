@@ -17,6 +17,12 @@ std::vector<ExpectedWorld> expectedWorlds(const OpenPallet& open,
                                           const std::optional<packing::Placement>& placed,
                                           const std::vector<int>& visible, std::uint64_t seed);
 
+/// Those after something else than the decision became of it: `report`, on a pick among `available` of which `chosen`
+/// was decided. None when all were discarded.
+std::vector<ExpectedWorld> worldsAfter(const PickReported& report, const OpenPallet& open,
+                                       const std::vector<int>& available, std::optional<std::size_t> chosen,
+                                       std::uint64_t seed);
+
 /// `items` without those at these indices.
 std::vector<int> without(const std::vector<int>& items, std::vector<std::size_t> indices);
 

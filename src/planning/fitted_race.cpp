@@ -17,6 +17,8 @@ constexpr std::size_t kLeastRounds = 16;
 constexpr double kHardlyPerfectRatio = 0.125;
 /// A single future is known by heart after so many.
 constexpr std::size_t kMostPlaysOfOneFuture = 2048;
+/// Of every pair that is looked at.
+constexpr std::size_t kLeastFutures = 4;
 /// Of the weights when the fit begins, which are of order 1 ...
 constexpr double kFirstSpread = 0.7;
 /// ... and when it goes on from what the decision before found.
@@ -71,7 +73,7 @@ bool FittedRace::hardlyPerfect() const {
   return static_cast<double>(perfect) <= kHardlyPerfectRatio * static_cast<double>(ends.size());
 }
 
-/// Fits and races in turn, each turn twice as long as the one before.
+/// Looks at more pairs and fits in turn, each turn twice as long as the one before.
 void FittedRace::fit() {
   const PlayoutStart start = playoutStart(situation_);
   const double spread = options_.best.fitted ? kNextSpread : kFirstSpread;
@@ -80,20 +82,24 @@ void FittedRace::fit() {
   const std::size_t most =
       futures_.onlyOne() ? kMostPlaysOfOneFuture : std::numeric_limits<std::size_t>::max();
   for (; plays <= most && !stop_() && hardlyPerfect(); plays *= 2) {
+    lookAround(*heat_, plays);
     if (!policy.search(plays, stop_)) return;
-    const int rounds = static_cast<int>(plays) / options_.best.candidates;
-    if (policy.better(policy.weights(), heat_->weights, stop_)) {
-      adopt(policy.weights(), rounds);
-    } else {
-      runHeat(*heat_, rounds);
-    }
+    if (policy.better(policy.weights(), heat_->weights, stop_)) adopt(policy.weights(), plays);
   }
 }
 
-void FittedRace::adopt(const PolicyWeights& weights, int rounds) {
+/// With about so many plays.
+void FittedRace::lookAround(Heat& heat, std::size_t plays) {
+  if (futures_.onlyOne()) return runHeat(heat, std::nullopt);
+  for (Playout& engine : engines_) engine.policy().weigh(heat.weights);
+  const std::size_t pairs = std::min(heat.pairs.size(), plays / (2 * kLeastFutures));
+  heat.race->halve(pairs, std::max(kLeastFutures, plays / (2 * pairs)), stop_);
+}
+
+void FittedRace::adopt(const PolicyWeights& weights, std::size_t plays) {
   std::unique_ptr<Heat> next = heatWith(weights);
   if (!next->race || stop_()) return;
-  runHeat(*next, rounds);
+  lookAround(*next, plays);
   const PlayoutRace& race = *next->race;
   const std::size_t played = race.runners()[race.leader()].ends.size();
   if (played >= (futures_.onlyOne() ? 1 : kLeastRounds)) heat_ = std::move(next);

@@ -42,7 +42,8 @@ class FittedRace {
   void runHeat(Heat& heat, std::optional<int> samples);
   bool hardlyPerfect() const;
   void fit();
-  void adopt(const PolicyWeights& weights, int rounds);
+  void lookAround(Heat& heat, std::size_t plays);
+  void adopt(const PolicyWeights& weights, std::size_t plays);
 
   const Situation& situation_;
   const std::vector<int>& types_;

@@ -107,6 +107,7 @@ ChooseReply PalletSession::choose(const std::string& request_id, const std::vect
     reply.decision = std::move(*known);
     reply.pondered = true;
   } else {
+    if (ponderer_) options_.best.fitted = ponderer_->fitted();
     reply.decision = chooseNextPick(situation, options_, seed(), stop);
   }
   options_.best.fitted = reply.decision.fitted;
@@ -133,17 +134,15 @@ void PalletSession::ponderAfter(const PickDecided& decided) {
   if (!ponderer_ || !chosen) return;
   ponderer_->expect(expectedWorlds(*state_.open(), decided.reply.decision.options[*chosen].placement,
                                    without(decided.available, {*chosen}), seed() + 1),
-                    budget_ms_);
+                    budget_ms_, options_.best.fitted);
 }
 
-/// Something else than the decision became of it: what is visible now, of its available items.
+/// Something else than the decision became of it.
 void PalletSession::ponderAgain(const PickReported& event, const std::vector<int>& available,
                                 std::optional<std::size_t> chosen) {
   if (!ponderer_) return;
-  std::vector<std::size_t> gone = event.discarded;
-  if (event.outcome != PickOutcome::kFailed && gone.empty() && chosen) gone = {*chosen};
-  if (event.outcome != PickOutcome::kFailed && gone.empty()) return ponderer_->forget();  // all discarded
-  ponderer_->expect(expectedWorlds(*state_.open(), {}, without(available, gone), seed()), budget_ms_);
+  ponderer_->expect(worldsAfter(event, *state_.open(), available, chosen, seed()), budget_ms_,
+                    ponderer_->fitted());
 }
 
 SessionReply PalletSession::report(std::uint64_t decision_id, PickOutcome outcome,

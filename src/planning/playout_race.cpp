@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <mixed_palletizing/packing/in_parallel.hpp>
 
@@ -24,6 +25,8 @@ constexpr std::size_t kRoundsPerEntry = 4;
 constexpr std::size_t kSureRounds = 64;
 /// Rounds without any difference between the runners after which the race is called off.
 constexpr std::size_t kEqualRounds = 128;
+/// So many are left at the end of a halving, or one more: the leader before it.
+constexpr std::size_t kFinalists = 2;
 
 }  // namespace
 
@@ -78,6 +81,49 @@ void PlayoutRace::run(std::optional<int> samples, const packing::StopCallback& s
     const std::size_t goal = least + std::min(step, kMostRoundsAtOnce);
     if (!playUntil(std::min(goal, least < lead ? lead : most), stop)) return;
     dropThoseBehind();
+  }
+}
+
+void PlayoutRace::halve(std::size_t pairs, std::size_t futures, const packing::StopCallback& stop) {
+  const std::size_t first = leader();
+  const std::size_t lead = runners_[first].ends.size();
+  while (runners_.size() < std::min(pairs, pairs_.size())) enter();
+  for (Runner& runner : runners_) runner.racing = true;
+  for (std::size_t rounds = futures;; rounds *= 2) {
+    if (!catchUp(rounds, stop)) return;
+    if (racing() <= kFinalists + 1 && rounds >= lead) return;
+    dropWorseHalf(rounds, first);
+  }
+}
+
+/// As playUntil(), whatever number they played before.
+bool PlayoutRace::catchUp(std::size_t rounds, const packing::StopCallback& stop) {
+  while (true) {
+    const std::size_t fewest = fewestEnds();
+    if (fewest >= rounds) return true;
+    std::size_t next = rounds;
+    for (const Runner& runner : runners_) {
+      if (runner.racing && runner.ends.size() > fewest) next = std::min(next, runner.ends.size());
+    }
+    if (!playUntil(next, stop)) return false;
+  }
+}
+
+/// By their first `rounds` futures; `kept` stays.
+void PlayoutRace::dropWorseHalf(std::size_t rounds, std::size_t kept) {
+  const auto ratedBy = [&](std::size_t i) {
+    double sum = 0.0;
+    for (std::size_t future = 0; future < rounds; ++future) sum += value(runners_[i].ends[future]);
+    return sum;
+  };
+  std::vector<std::pair<double, std::size_t>> rated;
+  for (std::size_t i = 0; i < runners_.size(); ++i) {
+    if (runners_[i].racing) rated.emplace_back(-ratedBy(i), i);
+  }
+  std::sort(rated.begin(), rated.end());
+  const std::size_t left = std::max(kFinalists, (rated.size() + 1) / 2);
+  for (std::size_t i = left; i < rated.size(); ++i) {
+    if (rated[i].second != kept) runners_[rated[i].second].racing = false;
   }
 }
 

@@ -32,6 +32,10 @@ class PlayoutRace {
   /// drop out are replaced by the next. Ends before that when the decision is certain or one runner is left.
   void run(std::optional<int> samples, const packing::StopCallback& stop);
 
+  /// Looks at more pairs: the first `pairs` of them play `futures` futures, the better half of them twice as many, and so
+  /// on until two are left that have played as many as the leader so far, which stays among them.
+  void halve(std::size_t pairs, std::size_t futures, const packing::StopCallback& stop);
+
   /// Those that raced, in the order of the pairs.
   const std::vector<Runner>& runners() const { return runners_; }
 
@@ -45,6 +49,8 @@ class PlayoutRace {
   void enter();
   bool enterMore(std::size_t most);
   bool playUntil(std::size_t rounds, const packing::StopCallback& stop);
+  bool catchUp(std::size_t rounds, const packing::StopCallback& stop);
+  void dropWorseHalf(std::size_t rounds, std::size_t kept);
   void dropThoseBehind();
   std::size_t racing() const;
   std::size_t fewestEnds() const;

@@ -103,11 +103,13 @@ void Ponderer::drop() {
 
 void Ponderer::forget() { expect({}, 0.0); }
 
-void Ponderer::expect(std::vector<ExpectedWorld> worlds, double budget_ms) {
+void Ponderer::expect(std::vector<ExpectedWorld> worlds, double budget_ms,
+                      const std::optional<PolicyWeights>& fitted) {
   if (!thread_.joinable()) return;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     drop();
+    fitted_ = fitted;
     for (ExpectedWorld& world : worlds) {
       thoughts_.push_back(std::make_shared<Thought>(std::move(world), budget_ms));
     }
@@ -126,13 +128,22 @@ void Ponderer::run() {
     }
     const std::shared_ptr<Thought> thought = *next;
     thought->begun = true;
+    PlannerOptions options = options_;
+    options.best.fitted = fitted_;
     lock.unlock();
-    std::optional<Decision> decision = thought->think(options_);
+    std::optional<Decision> decision = thought->think(options);
     lock.lock();
+    const bool of_this_order = !thought->cancelled || thought->awaited;
+    if (of_this_order && decision && decision->fitted) fitted_ = decision->fitted;
     thought->decision = std::move(decision);
     thought->done = true;
     changed_.notify_all();
   }
+}
+
+std::optional<PolicyWeights> Ponderer::fitted() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return fitted_;
 }
 
 std::shared_ptr<Ponderer::Thought> Ponderer::find(const Situation& situation, std::uint64_t seed) const {

@@ -36,8 +36,10 @@ class Ponderer {
   Ponderer& operator=(const Ponderer&) = delete;
 
   /// Forgets what it thought and thinks about these worlds, one after the other, each for `budget_ms`, or to its
-  /// end when BestOptions::samples is given. Does not wait.
-  void expect(std::vector<ExpectedWorld> worlds, double budget_ms);
+  /// end when BestOptions::samples is given. The first begins with the weights `fitted`, the others with what the one
+  /// before came to. Does not wait.
+  void expect(std::vector<ExpectedWorld> worlds, double budget_ms,
+              const std::optional<PolicyWeights>& fitted = std::nullopt);
 
   /// Forgets everything. Does not wait.
   void forget();
@@ -48,6 +50,9 @@ class Ponderer {
   /// one that chooseNextPick() makes; with neither samples nor `stop` nothing is known.
   std::optional<Decision> take(const Situation& situation, std::uint64_t seed, double budget_ms,
                                const packing::StopCallback& stop);
+
+  /// The weights that the last of the thoughts came to (BestOptions::fitted): they play the order, whatever comes next.
+  std::optional<PolicyWeights> fitted() const;
 
  private:
   struct Thought;
@@ -61,6 +66,7 @@ class Ponderer {
   mutable std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
   std::vector<std::shared_ptr<Thought>> thoughts_;
+  std::optional<PolicyWeights> fitted_;
   bool quit_ = false;
   std::thread thread_;
 };

@@ -192,5 +192,34 @@ TEST(PondererTest, withoutALimitOrWithAnotherMethodNothingIsKnown) {
   }
 }
 
+/// An order that always becomes perfect, so that no weights are looked for: those given stay.
+TEST(PondererTest, thoughtsGoOnFromTheWeightsGiven) {
+  packing::Order order;
+  order.rules.size = {800, 600, 200};
+  order.types = {{"quarter", {400, 300, 100}, {}, 0, 0}, {"half", {800, 300, 100}, {}, 0, 0}};
+  order.counts = {4, 2};
+  const auto pallet = std::make_shared<const packing::PalletState>(order);
+  const auto types = std::make_shared<const std::vector<packing::ItemType>>(order.types);
+  const ExpectedWorld world{pallet, types, {0, 1}, order.counts, {}, 1};
+  PolicyWeights given = tunedPolicyWeights();
+  given.front() += 0.25;
+  Ponderer ponderer((PlannerOptions()));
+  EXPECT_FALSE(ponderer.fitted());
+  ponderer.expect({world}, 1e6, given);
+  EXPECT_EQ(ponderer.fitted(), given);
+  const auto deadline = Clock::now() + kLongEnough;
+  std::optional<Decision> decision;
+  while (!decision && Clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    decision = ponderer.take(world.situation(), world.seed, 1.0, never);
+    if (!decision) ponderer.expect({world}, 1e6, given);
+  }
+  ASSERT_TRUE(decision);
+  EXPECT_EQ(decision->fitted, given);
+  EXPECT_EQ(ponderer.fitted(), given);
+  ponderer.forget();
+  EXPECT_FALSE(ponderer.fitted());
+}
+
 }  // namespace
 }  // namespace mixed_palletizing::planning
