@@ -26,12 +26,13 @@ def _parser():
     parser.add_argument('--count', type=_count,
                         help='scenes a row, orders a height (default: 50 scenes, or as many as the thesis has)')
     parser.add_argument('--quick', action='store_true', help='few scenes: a look at the report in minutes')
-    parser.add_argument('--only', metavar='RECIPE', action='append',
-                        help='detection: this row of the table alone (more than one: repeat the option)')
+    parser.add_argument('--only', metavar='PART', action='append',
+                        help='detection: this recipe, a row of the table, alone; planning: steps, rules, curves or rich alone '
+                             '(more than one: repeat the option)')
     parser.add_argument('--data', metavar='DIR', default=os.environ.get('MIXED_PALLETIZING_DATA', ''),
                         help='packing, planning: folder with packing, published orders (default: MIXED_PALLETIZING_DATA)')
-    parser.add_argument('--seed', type=int, default=1, help='of all scenes (default: 1)')
-    parser.add_argument('--threads', type=_count, default=1, help='scenes side by side; times are clean with 1')
+    parser.add_argument('--seed', type=int, default=1, help='of all scenes and orders (default: 1)')
+    parser.add_argument('--threads', type=_count, default=1, help='scenes, or orders that are planned, side by side; times are clean with 1')
     parser.add_argument('--quiet', action='store_true', help='no progress on stderr')
     return parser
 
@@ -49,8 +50,10 @@ def _folder(path):
 
 
 def _run(options, script_folder):
-    if options.experiment != 'detection' and (options.thesis or options.only):
-        raise ExperimentError('--thesis and --only belong to detection')
+    if options.experiment != 'detection' and options.thesis:
+        raise ExperimentError('--thesis belongs to detection')
+    if options.experiment == 'packing' and options.only:
+        raise ExperimentError('--only belongs to detection and planning')
     out = _folder(options.out)
     # Here and not above: --help and a wrong command line need no matplotlib.
     from . import detection_report, measurements, order_reports, planning_report, thesis_report, tools as tools_module

@@ -6,8 +6,8 @@ from .measurements import read_lines
 class Orders:
     """Generates orders and runs the packing tools on them, each once; files stay beside the report."""
 
-    def __init__(self, tools, folder, seed):
-        self.tools, self.folder, self.seed = tools, folder, seed
+    def __init__(self, tools, folder, seed, threads=1):
+        self.tools, self.folder, self.seed, self.threads = tools, folder, seed, threads
         self.reading = {}  # arguments by which the tools read a file, by its path
 
     def generate(self, height_mm, count, kind='', more=()):
@@ -27,7 +27,8 @@ class Orders:
 
     def plan(self, orders, method, budget_ms, more=(), label=''):
         """`label` tells results of one file and method apart; plain ones have none."""
-        return self._solve('plan_picks', orders, method, ['--budget_ms', f'{budget_ms:g}', *more], label)
+        limits = ['--budget_ms', f'{budget_ms:g}', '--threads', self.threads, *more]
+        return self._solve('plan_picks', orders, method, limits, label)
 
     def _solve(self, tool, orders, method, limits, label=''):
         path = self.folder / ('_'.join(filter(None, [tool, method, label, orders.stem])) + '.jsonl')

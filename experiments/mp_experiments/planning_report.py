@@ -1,5 +1,6 @@
 """`run_experiments planning`: boxes packed as they arrive, chapter 4.2 of the source thesis again and our own questions."""
 from . import packing_numbers, pallet_pictures, planning_curves, planning_sets, plots
+from .errors import ExperimentError
 from .measurements import read_lines
 from .order_reports import SEARCHES, SUMMARY_HEADERS, orders_of, summary_cells
 from .orders import Orders, unpacked_counts
@@ -69,30 +70,44 @@ def _rules(page, orders, count, budget_ms):
                 'Orders by the boxes that are left, as in Fig. 4.26.')
 
 
-def _commands(options):
-    """So many tools the report runs: every file of orders is generated, every result is checked."""
-    heights = len(packing_numbers.HEIGHTS_MM)
-    structures = len(STRUCTURES) * heights * (1 + 2 * len(METHODS))
-    rules = 1 + 2 * len(packing_numbers.PERFECT_BY_RULE)
-    return structures + rules + planning_curves.commands(options.quick) + planning_sets.commands(options.data)
-
-
-def planning(tools, measurer, options, out):
-    count = orders_of(options)
-    budget_ms = QUICK_BUDGET_MS if options.quick else BUDGET_MS
-    orders = Orders(tools, measurer.folder, options.seed)
-    page = Page('Picking from what has arrived')
-    add_facts(page, [('orders a height', count), ('seed', options.seed), ('budget', f'{budget_ms:g} ms a decision')])
+def _steps(page, orders, count, options, budget_ms):
+    """Fig. 4.28 and Table 4.8, and a pallet that grows."""
     page.heading('The next pick, step by step (Fig. 4.28, Table 4.8)')
     page.text('Three boxes are in view; after each pick the next arrives; when none of the three fits they are discarded. Better, '
               'equal and worse: orders with fewer, as many and more boxes left than the heuristic alone. The thesis\' figures are '
               f'of {packing_numbers.ORDERS} orders each, drawn by its own generator.')
-    tools.expected = _commands(options)
     shown = [_structure(page, orders, structure, count, budget_ms) for structure in STRUCTURES]
     _growing(page, *shown[0][packing_numbers.HEIGHTS_MM[0]])
-    _rules(page, orders, count, budget_ms)
-    planning_curves.add(page, orders, count, budget_ms, options.quick)
-    planning_sets.add(page, orders, count, options.data, options.quick)
+
+
+# Name of a part of the report: how many tools it runs, what makes it.
+PARTS = {
+    'steps': (lambda options: len(STRUCTURES) * len(packing_numbers.HEIGHTS_MM) * (1 + 2 * len(METHODS)), _steps),
+    'rules': (lambda options: 1 + 2 * len(packing_numbers.PERFECT_BY_RULE),
+              lambda page, orders, count, options, budget_ms: _rules(page, orders, count, budget_ms)),
+    'curves': (lambda options: planning_curves.commands(options.quick),
+               lambda page, orders, count, options, budget_ms:
+               planning_curves.add(page, orders, count, budget_ms, options.quick)),
+    'rich': (lambda options: planning_sets.commands(options.data),
+             lambda page, orders, count, options, budget_ms:
+             planning_sets.add(page, orders, count, options.data, options.quick)),
+}
+
+
+def planning(tools, measurer, options, out):
+    unknown = [name for name in options.only or () if name not in PARTS]
+    if unknown:
+        raise ExperimentError(f'--only {unknown[0]}: planning has {", ".join(PARTS)}')
+    parts = [part for name, part in PARTS.items() if not options.only or name in options.only]
+    count = orders_of(options)
+    budget_ms = QUICK_BUDGET_MS if options.quick else BUDGET_MS
+    orders = Orders(tools, measurer.folder, options.seed, options.threads)
+    page = Page('Picking from what has arrived')
+    add_facts(page, [('orders a height', count), ('seed', options.seed), ('budget', f'{budget_ms:g} ms a decision'),
+                     ('orders side by side', options.threads)])
+    tools.expected = sum(commands(options) for commands, _ in parts)
+    for _, add in parts:
+        add(page, orders, count, options, budget_ms)
     add_commands(page, tools)
     result = out / 'planning.html'
     result.write_text(page.render(), encoding='utf-8')

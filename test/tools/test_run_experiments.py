@@ -60,6 +60,14 @@ class RunExperiments(unittest.TestCase):
             self.assertIn(table, text)
             self.assertGreaterEqual(text.count('data:image/png') + text.count('<svg '), 7)
 
+    def test_a_part_of_planning(self):
+        done = run('planning', '--quick', '--count', 2, '--only', 'rules', '--threads', 2, '--quiet', '--out', self.out)
+        text = self.report(done, 'planning.html')
+        self.assertIn('Fig. 4.26', text)
+        self.assertIn('--threads 2', text)
+        self.assertNotIn('Table 4.8', text)
+        self.assertNotIn('Rich sets', text)
+
     def test_mistakes_are_named_in_one_line(self):
         self.one_line(run('detection', '--out', '/dev/null/x'), '/dev/null/x: cannot be written')
         self.one_line(run('detection', '--out', self.out, '--only', 'nothing'), '--only nothing: the rows are')
@@ -70,7 +78,9 @@ class RunExperiments(unittest.TestCase):
         (broken / '__init__.py').write_text('raise ImportError("broken here")')
         self.one_line(run('detection', '--out', self.out, PYTHONPATH=str(broken.parent)),
                       'matplotlib cannot be imported .*install python3-matplotlib')
-        self.one_line(run('packing', '--out', self.out, '--thesis'), '--thesis and --only belong to detection')
+        self.one_line(run('packing', '--out', self.out, '--thesis'), '--thesis belongs to detection')
+        self.one_line(run('packing', '--out', self.out, '--only', 'rules'), '--only belongs to detection and planning')
+        self.one_line(run('planning', '--out', self.out, '--only', 'nothing'), '--only nothing: planning has steps, rules')
         wrong = run('detection', '--out', self.out, '--count', 0)
         self.assertEqual(wrong.returncode, 2)
         self.assertIn('0 is less than 1', wrong.stderr)
