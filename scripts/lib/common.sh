@@ -27,7 +27,7 @@ install_packages() {
   missing=$(comm -13 <(dpkg-query -W -f '${db:Status-Abbrev} ${Package}\n' | awk '$1 == "ii" {print $2}' | sort -u) \
     <(printf '%s\n' "$wanted"))
   [ -n "$missing" ] || return 0
-  say "installing $(printf '%s\n' "$missing" | wc -l) Debian packages with apt-get"
+  say "installing $(printf '%s\n' "$missing" | wc -l) Debian packages with apt-get, which may take some minutes"
   printf '%s\n' "$missing" | paste -sd' ' | fold -s -w 110 >&2
   as_root apt-get update -qq
   # shellcheck disable=SC2086
@@ -43,19 +43,36 @@ install_packages_noetic() {
   rosdep install --from-paths "$root" --ignore-src -y --rosdistro noetic || die "rosdep could not install the dependencies"
 }
 
+# show_progress LOG: how far the build is that writes it, until this process or its shell ends.
+show_progress() {
+  while kill -0 $$ 2>/dev/null; do
+    printf '\r%s ' "$(grep -o '^\[ *[0-9]*%\]' "$1" 2>/dev/null | tail -n 1)" >&2
+    sleep 1
+  done
+}
+
 # make_workspace [TARGET...]: configures and builds the catkin workspace around this checkout.
 make_workspace() {
   export PATH=/usr/bin:$PATH  # ROS' Python modules belong to the system's python3
   # catkin writes the tests' PYTHONPATH while it configures, and leaves out folders that do not exist by then
   mkdir -p "$workspace/src" "$workspace/devel/lib/python3/dist-packages"
   ln -sfn "$root" "$workspace/src/mixed_palletizing"
+  local log="$workspace/build.log" target progress code
+  [ -d "$workspace/build" ] || say "the first build takes some minutes; its log is $log"
   say "building in $workspace"
-  local log="$workspace/build.log" target
   for target in "${@:-all}"; do
+    : >"$log"
+    progress='' code=0
+    if [ -t 2 ]; then show_progress "$log" & progress=$!; fi
     (cd "$workspace" && catkin_make -j"$jobs" \
       -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 \
-      -DCATKIN_ENABLE_TESTING="${CATKIN_ENABLE_TESTING:-OFF}" "$target") >"$log" 2>&1 ||
-      { grep -E -A6 'error|Error' "$log" | head -n 60 >&2; die "the build failed; the whole log is $log"; }
+      -DCATKIN_ENABLE_TESTING="${CATKIN_ENABLE_TESTING:-OFF}" "$target") >"$log" 2>&1 || code=$?
+    if [ -n "$progress" ]; then
+      kill "$progress" && wait "$progress" 2>/dev/null || true
+      printf '\r      \r' >&2
+    fi
+    [ "$code" -eq 0 ] ||
+      { grep -E -A6 'error|Error' "$log" | head -n 60 >&2 || true; die "the build failed; the whole log is $log"; }
   done
 }
 

@@ -36,7 +36,11 @@ rosrun mixed_palletizing pallet_report r.jsonl --instances i.jsonl --out r.html
 rosrun mixed_palletizing simulate_scene --scene "$prefix/share/mixed_palletizing/config/scenes/three_boxes.yaml" --out c.pcd --truth t.json
 rosrun mixed_palletizing detect_boxes --cloud c.pcd --base marker --json d.json
 grep -q top_center d.json || die "no box in the cloud of the installed scene"
-roslaunch --files mixed_palletizing demo.launch >/dev/null
+# The whole cell: nodelets, planner, executive and the page of its pallet.
+export ROS_MASTER_URI=http://127.0.0.1:$(free_port) ROS_IP=127.0.0.1 ROS_HOME=$scratch/ros
+timeout 240 roslaunch --no-summary mixed_palletizing demo.launch rviz:=false move_s:=0 instances:="$root/test/node/small_order.jsonl" \
+  width_px:=960 height_px:=600 report:="$scratch/report.json" || die "demo.launch did not come to its end"
+[ -s "$scratch/report.html" ] || die "demo.launch left no page of its pallet"
 rosmsg show mixed_palletizing/Box >/dev/null
 python3 -c 'import mixed_palletizing.msg' || die "the Python messages are not found"
 echo "debian package: $(basename "$package") complete"

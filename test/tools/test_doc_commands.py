@@ -3,7 +3,7 @@
 
 Blocks that begin with ```sh runnable are run by bash in a scratch folder, the blocks of one document one after the other; those that
 begin with ```sh runnable cell need a cell: a simulated one is started for them, for each document on a master of its own. Every
-command must succeed, and every service must answer that it did."""
+command must succeed, and every service must answer that it did. Of all others at least the options must exist."""
 import os
 import pathlib
 import re
@@ -71,6 +71,22 @@ class Commands(unittest.TestCase):
                 count += 1
                 self.execute(document, script)
         self.assertGreater(count, 1)
+
+    def test_options_exist(self):
+        """Also of commands that are not executed here, for they would take hours or need a camera."""
+        used = {}
+        for document in DOCUMENTS:
+            text = document.read_text(encoding='utf-8').replace('\\\n', ' ')
+            for tool, words in re.findall(r'(?:rosrun mixed_palletizing |`)(\w+)((?: +[^\s`|;&#]+)*)', text):
+                options = {word.split('=')[0] for word in words.split() if word.startswith('--')}
+                if options and not tool.startswith('ros'):
+                    used.setdefault(tool, set()).update((option, document.name) for option in options)
+        self.assertGreater(len(used), 8, sorted(used))
+        for tool, options in sorted(used.items()):
+            shown = subprocess.run(['rosrun', 'mixed_palletizing', tool, '--help'], env=self.environment, timeout=60,
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True).stdout
+            for option, document in sorted(options):
+                self.assertRegex(shown, re.escape(option) + r'\b', f'{document}: {tool} {option}')
 
     def in_a_cell(self, name):
         document = ROOT / 'docs' / name
