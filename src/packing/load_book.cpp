@@ -56,7 +56,15 @@ std::string LoadBook::whyNot(const std::vector<Placement>& placed, const Placeme
 }
 
 bool LoadBook::carries(const std::vector<Placement>& placed, const Placement& placement) const {
-  return carriesWeightOf(placement.type) && !firstOverload(placed, placement);
+  if (!carriesWeightOf(placement.type)) return false;
+  if (!limitsTops()) return true;
+  // Most places fail for a box right below: no need to follow the weight any further down.
+  for (const Contact& contact : contactsOf(placed, placement)) {
+    const double added = weightOf(placement.type) * contact.share;
+    const double limit = limits_->max_load[static_cast<std::size_t>(types_[contact.box])];
+    if (added > 0.0 && exceeds(loads_[contact.box] + added, limit)) return false;
+  }
+  return !firstOverload(placed, placement);
 }
 
 /// The first placed box whose limit `placement` would break.
