@@ -9,6 +9,7 @@
 #include <mixed_palletizing/adapters/planner_server.hpp>
 
 #include "pick_request.hpp"
+#include "planner_diagnostics.hpp"
 #include "planner_status.hpp"
 
 namespace mixed_palletizing::adapters {
@@ -78,9 +79,11 @@ PickDecision decisionOf(const ChooseNextPickRequest& request, const ChooseNextPi
 bool PlannerServer::onChoose(ChooseNextPickRequest& request, ChooseNextPickResponse& response) {
   const Clock::time_point start = Clock::now();
   response.chosen_index = -1;
-  guarded("choose_next_pick", response, [&] { choose(request, response); });
+  guarded("choose_next_pick", *diagnostics_, response, [&] { choose(request, response); });
   response.decision_ms = millisecondsSince(start);
-  if (!response.options.empty()) decision_publisher_.publish(decisionOf(request, response));
+  if (response.options.empty()) return true;
+  diagnostics_->decided(response.decision_ms);
+  decision_publisher_.publish(decisionOf(request, response));
   return true;
 }
 
@@ -154,7 +157,7 @@ packing::Vec3 PlannerServer::lastStretch(const packing::Placement& placement) co
 }
 
 bool PlannerServer::onReport(ReportPickRequest& request, ReportPickResponse& response) {
-  return guarded("report_pick", response, [&] { report(request, response); });
+  return guarded("report_pick", *diagnostics_, response, [&] { report(request, response); });
 }
 
 std::optional<packing::Placement> PlannerServer::measured(

@@ -12,6 +12,7 @@
 #include <mixed_palletizing/adapters/planner_server.hpp>
 
 #include "plan_pallet_server.hpp"
+#include "planner_diagnostics.hpp"
 #include "planner_status.hpp"
 
 namespace mixed_palletizing::adapters {
@@ -42,6 +43,8 @@ PlannerServer::PlannerServer(const ros::NodeHandle& private_node)
       state_publisher_(node_.advertise<PalletState>(names::kPalletState, 1, true)),
       markers_publisher_(node_.advertise<visualization_msgs::MarkerArray>(names::kPalletMarkers, 1, true)),
       decision_publisher_(node_.advertise<PickDecision>(names::kLastDecision, 1, true)) {
+  diagnostics_ =
+      std::make_unique<PlannerDiagnostics>(node_, journalPath(options_.journal, node_.getNamespace()));
   if (options_.ponder) session_.ponder();
   if (session_.open()) {
     ROS_INFO_STREAM("pallet '" << session_.palletId() << "' goes on at revision " << session_.revision()
@@ -60,7 +63,7 @@ PlannerServer::PlannerServer(const ros::NodeHandle& private_node)
 PlannerServer::~PlannerServer() = default;
 
 bool PlannerServer::onStart(StartPalletRequest& request, StartPalletResponse& response) {
-  return guarded("start_pallet", response, [&] {
+  return guarded("start_pallet", *diagnostics_, response, [&] {
     const ReadOrder read = readOrder({request.size, request.order, request.gap, request.min_support_ratio,
                                       request.knowledge, request.expected});
     std::lock_guard<std::mutex> lock(session_mutex_);
@@ -82,7 +85,7 @@ bool PlannerServer::onStart(StartPalletRequest& request, StartPalletResponse& re
 }
 
 bool PlannerServer::onUndo(UndoLastRequest&, UndoLastResponse& response) {
-  return guarded("undo_last", response, [&] {
+  return guarded("undo_last", *diagnostics_, response, [&] {
     std::lock_guard<std::mutex> lock(session_mutex_);
     const planning::SessionReply reply = session_.undoLast();
     fill(reply, session_.revision(), response);
@@ -100,7 +103,7 @@ bool PlannerServer::onGetState(GetPalletStateRequest&, GetPalletStateResponse& r
 }
 
 bool PlannerServer::onClose(ClosePalletRequest&, ClosePalletResponse& response) {
-  return guarded("close_pallet", response, [&] {
+  return guarded("close_pallet", *diagnostics_, response, [&] {
     std::lock_guard<std::mutex> lock(session_mutex_);
     planning::PalletSummary summary;
     const planning::SessionReply reply = session_.close(summary);
@@ -122,6 +125,7 @@ void PlannerServer::publishState() {
   state.header.stamp = ros::Time::now();
   state_publisher_.publish(state);
   markers_publisher_.publish(palletMarkers(state));
+  diagnostics_->show(state);
   std::lock_guard<std::mutex> lock(state_mutex_);
   state_ = std::move(state);
 }

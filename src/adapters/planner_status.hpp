@@ -8,6 +8,8 @@
 
 #include <mixed_palletizing/planning/pallet_session.hpp>
 
+#include "planner_diagnostics.hpp"
+
 namespace mixed_palletizing::adapters {
 
 std::uint8_t codeOf(planning::SessionStatus status);
@@ -20,13 +22,15 @@ void fill(const planning::SessionReply& reply, std::uint64_t revision, Response&
   response.revision = revision;
 }
 
-/// Calls the body of a service; what it throws becomes the status FAILED.
+/// Calls the body of a service; what it throws becomes the status FAILED, and an error on /diagnostics.
 template <typename Response, typename Body>
-bool guarded(const char* service, Response& response, Body body) {
+bool guarded(const char* service, PlannerDiagnostics& diagnostics, Response& response, Body body) {
   try {
     body();
+    diagnostics.answered(service);
   } catch (const std::exception& error) {
     ROS_ERROR_STREAM(service << ": " << error.what());
+    diagnostics.failed(service, error.what());
     response.status = Response::FAILED;
     response.message = error.what();
   }

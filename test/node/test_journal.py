@@ -15,6 +15,7 @@ import unittest
 import rosgraph
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from geometry_msgs.msg import Vector3
 from mixed_palletizing.msg import OrderLine
 from mixed_palletizing.srv import (ChooseNextPick, ChooseNextPickRequest, ChooseNextPickResponse, ClosePallet,
@@ -168,6 +169,12 @@ class Journal(unittest.TestCase):
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
         self.wait_until_it_answers(start)
         self.start_pallet()
+        diagnostics = Latest('/diagnostics', DiagnosticArray)
+        told = lambda level, name, words: lambda message: any(
+            (status.level, status.name) == (level, 'pick_planner: ' + name) and words in status.message
+            for status in message.status)
+        good = diagnostics.wait_for(told(DiagnosticStatus.OK, 'pallet', ': 0 of '), 10.0)
+        self.assertIsNotNone(good, diagnostics.all()[-1:])
         while True:
             before = self.state()
             choice = self.call('choose_next_pick', ChooseNextPick, ChooseNextPickRequest(type_ids=['a', 'b']))
@@ -179,6 +186,8 @@ class Journal(unittest.TestCase):
         self.assertEqual(choice.status, ChooseNextPickResponse.FAILED)
         self.assertIn(self.file, choice.message)
         self.assertEqual(self.state(), before)
+        bad = diagnostics.wait_for(told(DiagnosticStatus.ERROR, 'services', self.file), 10.0)
+        self.assertIsNotNone(bad, diagnostics.all()[-1:])
         self.kill()
         self.begin()
         self.assertEqual(self.state().placements, before.placements)

@@ -24,6 +24,7 @@
 namespace mixed_palletizing::adapters {
 
 class PlanPalletServer;
+class PlannerDiagnostics;
 struct IdentifiedBoxes;
 
 /// Services answer a status and a message, whatever comes in; no callback lets an exception out. Calls that
@@ -62,6 +63,7 @@ class PlannerServer {
   std::mutex state_mutex_;  // guards state_
   PalletState state_;
 
+  std::unique_ptr<PlannerDiagnostics> diagnostics_;
   ros::Publisher state_publisher_;
   ros::Publisher markers_publisher_;
   ros::Publisher decision_publisher_;
