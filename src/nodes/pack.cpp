@@ -1,9 +1,11 @@
 // Packs the orders of a file, the sequence free to choose.
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 
 #include <mixed_palletizing/adapters/order_files.hpp>
+#include <mixed_palletizing/adapters/progress_line.hpp>
 #include <mixed_palletizing/instances/pack_instance.hpp>
 
 namespace instances = mixed_palletizing::instances;
@@ -17,6 +19,7 @@ int main(int argc, char** argv) {
   std::string spaces = "supported";
   bool keep_going = false;
   bool progress = false;
+  bool quiet = false;
   mixed_palletizing::adapters::CommandLine line("pack",
                                                 "Packs every order of a file, the sequence free to choose "
                                                 "(dblf, distance, contact, best_fit: in the given order).");
@@ -36,6 +39,7 @@ int main(int argc, char** argv) {
               "1 or 2, of brkga and best; --max_evaluations counts for each");
   line.flag("keep-going", &keep_going, "pack the sound orders of a file that has faults");
   line.flag("progress", &progress, "one line an order on stderr");
+  line.flag("quiet", &quiet, "no progress bar");
   return line.run(argc, argv, [&] {
     run.options.method = *packing::packMethodFromString(run.method);
     if (spaces == "empty") run.options.spaces = packing::SpaceKind::kEmpty;
@@ -47,17 +51,21 @@ int main(int argc, char** argv) {
     const instances::InstanceFile file = orders.readSound("pack", keep_going);
     std::ofstream results(out);
     instances::PackSummary summary;
+    std::optional<mixed_palletizing::adapters::ProgressLine> bar;
+    if (!progress && !quiet) bar.emplace(file.instances.size(), "orders");
     for (const instances::Instance& instance : file.instances) {
       const instances::PackingResult result = instances::packInstance(instance, run);
       results << instances::formatResult(result, instance) << std::endl;
       if (!results) break;
       summary.add(instance, result);
+      if (bar) bar->step();
       if (progress) {
         std::cerr << result.name << ": " << result.pallets << " pallets, " << 100.0 * result.utilization
                   << " %, " << result.unpacked.size() << " unpacked, " << result.decision_ms.max_ms << " ms"
                   << std::endl;
       }
     }
+    bar.reset();
     results.close();
     if (!results) throw std::runtime_error(out + ": cannot be written");
     std::cout << summary.text() << '\n';

@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
   mixed_palletizing::adapters::OrderFileOptions orders;
   std::string out, policy, method = "best", rule = "dblf", knowledge = "set";
   int threads = 1;
-  bool keep_going = false, progress = false;
+  bool keep_going = false, progress = false, quiet = false;
   mixed_palletizing::adapters::CommandLine line("plan_picks",
                                                 "Plays arrivals: n_pick boxes visible at a time.");
   orders.declare(line);
@@ -66,13 +66,14 @@ int main(int argc, char** argv) {
   line.option("seed", &options.seed, "of the planner, and of the arrival where an order has none");
   line.flag("keep-going", &keep_going, "plan the sound orders of a file with faults");
   line.flag("progress", &progress, "show progress although stderr is no terminal");
+  line.flag("quiet", &quiet, "show none");
   return line.run(argc, argv, [&] {
     options.planner.method = *planning::planMethodFromString(method);
     options.planner.genetic.rule = *packing::placementRuleFromString(rule);
     options.knowledge = *planning::playKnowledgeFromString(knowledge);
     if (!policy.empty()) options.planner.best.weights = planning::readPolicyWeights(policy);
     if (threads < 1) throw std::invalid_argument("threads: " + std::to_string(threads) + ": at least 1");
-    progress = progress || isatty(STDERR_FILENO) != 0;
+    progress = !quiet && (progress || isatty(STDERR_FILENO) != 0);
     const instances::InstanceFile file = orders.readSound("plan_picks", keep_going);
     std::ofstream results(out);
     instances::ResultSummary summary;
