@@ -33,39 +33,67 @@ std::optional<packing::Placement> findReachable(const packing::PalletState& pall
   return best == placements.end() ? std::nullopt : std::make_optional(*best);
 }
 
-/// Once something fits, the rest is only looked at while there is time.
+PickOption notLookedAt() {
+  PickOption option;
+  option.looked_at = false;
+  option.reason = "not looked at: the time was up";
+  return option;
+}
+
+/// Of a type; `stop` may cut the search for its place short.
+PickOption optionOf(const Situation& situation, int type, const PlannerOptions& options,
+                    const packing::StopCallback& stop) {
+  const packing::ItemType& item = situation.types[static_cast<std::size_t>(type)];
+  const auto placement =
+      findReachable(situation.pallet, item, type, options.genetic.rule, options.gripper, stop);
+  if (!placement && stop && stop()) return notLookedAt();
+  PickOption option;
+  if (placement) {
+    option.feasible = true;
+    option.placement = *placement;
+  } else {
+    option.reason = whyNowhere(situation.pallet, item, type);
+  }
+  return option;
+}
+
+std::vector<int> distinctTypes(const Situation& situation) {
+  std::vector<int> types;
+  std::vector<char> known(situation.types.size(), 0);
+  for (const int type : situation.available) {
+    if (known[static_cast<std::size_t>(type)] == 0) types.push_back(type);
+    known[static_cast<std::size_t>(type)] = 1;
+  }
+  return types;
+}
+
+/// Once something fits, the rest is only looked at while there is time. When the time is up before, those go first that
+/// fit most easily: light and small.
 Decision feasibleOptions(const Situation& situation, const PlannerOptions& options,
                          const packing::StopCallback& stop) {
-  Decision decision;
-  bool any = false;
-  std::vector<std::optional<std::size_t>> first_of_type(situation.types.size());
-  decision.options.reserve(situation.available.size());
-  for (std::size_t i = 0; i < situation.available.size(); ++i) {
-    const int type = situation.available[i];
-    std::optional<std::size_t>& first = first_of_type[static_cast<std::size_t>(type)];
-    if (first) {
-      decision.options.push_back(decision.options[*first]);
-      continue;
-    }
-    first = i;
+  const auto ease = [&situation](int type) {
     const packing::ItemType& item = situation.types[static_cast<std::size_t>(type)];
-    PickOption option;
-    const packing::StopCallback may_stop = any ? stop : packing::StopCallback();
-    const auto time_is_up = [&may_stop] { return may_stop && may_stop(); };
-    const auto placement = time_is_up() ? std::nullopt
-                                        : findReachable(situation.pallet, item, type, options.genetic.rule,
-                                                        options.gripper, may_stop);
-    if (placement) {
-      option.feasible = true;
-      option.placement = *placement;
-      any = true;
-    } else if (time_is_up()) {
-      option.looked_at = false;
-      option.reason = "not looked at: the time was up";
-    } else {
-      option.reason = whyNowhere(situation.pallet, item, type);
+    return std::make_tuple(item.weight_kg, packing::volume(item.size), type);
+  };
+  std::vector<int> types = distinctTypes(situation);
+  std::vector<PickOption> of_type(situation.types.size());
+  bool any = false;
+  bool sorted = false;
+  for (auto type = types.begin(); type != types.end(); ++type) {
+    const bool late = stop && stop();
+    if (late && !any && !sorted) {
+      std::sort(type, types.end(), [&ease](int a, int b) { return ease(a) < ease(b); });
+      sorted = true;
     }
-    decision.options.push_back(std::move(option));
+    PickOption& option = of_type[static_cast<std::size_t>(*type)];
+    option = late && any ? notLookedAt()
+                         : optionOf(situation, *type, options, any ? stop : packing::StopCallback());
+    any = any || option.feasible;
+  }
+  Decision decision;
+  decision.options.reserve(situation.available.size());
+  for (const int type : situation.available) {
+    decision.options.push_back(of_type[static_cast<std::size_t>(type)]);
   }
   return decision;
 }

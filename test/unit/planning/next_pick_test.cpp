@@ -47,6 +47,20 @@ void expectSound(const Situation& situation, const PlannerOptions& options, cons
   EXPECT_TRUE(!decision.chosen || decision.options.at(*decision.chosen).feasible);
 }
 
+TEST(ChooseNextPick, withoutTimeLooksAtTheSmallFirst) {
+  const packing::Rotations yaw = packing::Rotations::yawOnly();
+  packing::Order order;
+  order.rules.size = {400, 300, 100};
+  order.types = {
+      {"tall", {200, 200, 150}, yaw}, {"wide", {300, 300, 100}, yaw}, {"small", {90, 90, 90}, yaw}};
+  order.counts = {1, 1, 1};
+  const packing::PalletState pallet(order);
+  const Situation situation{pallet, order.types, {0, 1, 2}, order.counts};
+  const Decision decision = chooseNextPick(situation, optionsOf(PlanMethod::kBest), 1, [] { return true; });
+  EXPECT_EQ(decision.chosen, 2U);
+  EXPECT_FALSE(decision.options.at(0).looked_at || decision.options.at(1).looked_at);
+}
+
 TEST(ChooseNextPick, isSoundOnRandomPallets) {
   std::mt19937_64 rng(41);
   for (int run = 0; run < 60; ++run) {
