@@ -87,7 +87,10 @@ void PlayoutRace::run(std::optional<int> samples, const packing::StopCallback& s
 void PlayoutRace::halve(std::size_t pairs, std::size_t futures, const packing::StopCallback& stop) {
   const std::size_t first = leader();
   const std::size_t lead = runners_[first].ends.size();
-  while (runners_.size() < std::min(pairs, pairs_.size())) enter();
+  while (runners_.size() < std::min(pairs, pairs_.size())) {
+    if (stop && stop()) return;  // every one is a copy of the pallet
+    enter();
+  }
   for (Runner& runner : runners_) runner.racing = true;
   for (std::size_t rounds = futures;; rounds *= 2) {
     if (!catchUp(rounds, stop)) return;
