@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -13,20 +15,40 @@ using nlohmann::json;
 
 json triple(const packing::Vec3& v) { return json::array({v.x, v.y, v.z}); }
 
+/// The JSON library casts what is written as 1e99, and what does not fit.
+template <typename T>
+T wholeFrom(const json& j) {
+  if (!j.is_number_integer()) throw std::invalid_argument(std::string(j.type_name()) + " is no whole number");
+  constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<T>::max());
+  const bool negative = !j.is_number_unsigned() && j.get<std::int64_t>() < 0;
+  const bool in_range =
+      negative ? j.get<std::int64_t>() >= static_cast<std::int64_t>(std::numeric_limits<T>::min())
+               : j.get<std::uint64_t>() <= kMost;
+  if (!in_range) throw std::invalid_argument(j.dump() + " is out of range");
+  return j.get<T>();
+}
+
+template <typename T>
+std::vector<T> wholesFrom(const json& j) {
+  std::vector<T> values;
+  for (const json& value : j) values.push_back(wholeFrom<T>(value));
+  return values;
+}
+
 packing::Vec3 tripleFrom(const json& j) {
-  return {j.at(0).get<int>(), j.at(1).get<int>(), j.at(2).get<int>()};
+  return {wholeFrom<int>(j.at(0)), wholeFrom<int>(j.at(1)), wholeFrom<int>(j.at(2))};
 }
 
 packing::Placement placementFrom(const json& j) {
-  return {j.at("type").get<int>(), tripleFrom(j.at("origin_mm")), tripleFrom(j.at("size_mm"))};
+  return {wholeFrom<int>(j.at("type")), tripleFrom(j.at("origin_mm")), tripleFrom(j.at("size_mm"))};
 }
 
 packing::Order orderFrom(const json& j) {
   packing::Order order;
   order.rules.size = tripleFrom(j.at("pallet_mm"));
-  order.rules.gap = j.at("gap_mm").get<int>();
+  order.rules.gap = wholeFrom<int>(j.at("gap_mm"));
   order.rules.min_support_ratio = j.at("min_support_ratio").get<double>();
-  order.rules.overhang = j.at("overhang_mm").get<int>();
+  order.rules.overhang = wholeFrom<int>(j.at("overhang_mm"));
   order.rules.max_weight_kg = j.at("max_weight_kg").get<double>();
   for (const json& line : j.at("items")) {
     packing::ItemType type;
@@ -37,7 +59,7 @@ packing::Order orderFrom(const json& j) {
     type.weight_kg = line.at("weight_kg").get<double>();
     type.max_load_kg = line.at("max_load_kg").get<double>();
     order.types.push_back(type);
-    order.counts.push_back(line.at("count").get<int>());
+    order.counts.push_back(wholeFrom<int>(line.at("count")));
   }
   return order;
 }
@@ -50,7 +72,7 @@ PickOption optionFrom(const json& j) {
   if (!option.feasible) return option;
   option.placement = placementFrom(j.at("placement"));
   option.future_costs = j.at("future_costs").get<std::vector<double>>();
-  option.future.playouts = j.at("playouts").get<int>();
+  option.future.playouts = wholeFrom<int>(j.at("playouts"));
   option.future.perfect_ratio = j.at("perfect_ratio").get<double>();
   option.future.unpacked_ratio = j.at("unpacked_ratio").get<double>();
   return option;
@@ -125,23 +147,23 @@ json body(const PalletClosed&) { return json::object(); }
 PickDecided decidedFrom(const json& j) {
   PickDecided e;
   e.request_id = j.at("request_id").get<std::string>();
-  e.available = j.at("available").get<std::vector<int>>();
-  e.reply.decision_id = j.at("decision_id").get<std::uint64_t>();
+  e.available = wholesFrom<int>(j.at("available"));
+  e.reply.decision_id = wholeFrom<std::uint64_t>(j.at("decision_id"));
   e.reply.message = j.at("message").get<std::string>();
   e.reply.decision.options = optionsFrom(j.at("options"), e.available);
   e.reply.assumed = j.value("assumed", std::string());
   e.reply.pondered = j.value("pondered", false);
-  if (j.count("chosen") != 0) e.reply.decision.chosen = j.at("chosen").get<std::size_t>();
+  if (j.count("chosen") != 0) e.reply.decision.chosen = wholeFrom<std::size_t>(j.at("chosen"));
   e.reply.status = e.reply.decision.chosen ? ChooseStatus::kPick : ChooseStatus::kNoneFits;
   e.decision_ms = j.at("decision_ms").get<double>();
-  e.notes.request_index = j.at("request_index").get<std::vector<std::size_t>>();
+  e.notes.request_index = wholesFrom<std::size_t>(j.at("request_index"));
   e.notes.box_sizes_m = j.at("box_sizes_m").get<std::vector<std::array<double, 3>>>();
   return e;
 }
 
 PickReported reportedFrom(const json& j) {
   PickReported e;
-  e.decision_id = j.at("decision_id").get<std::uint64_t>();
+  e.decision_id = wholeFrom<std::uint64_t>(j.at("decision_id"));
   const std::string outcome = j.at("outcome").get<std::string>();
   bool known = false;
   for (const PickOutcome word : {PickOutcome::kPlaced, PickOutcome::kDiscarded, PickOutcome::kFailed}) {
@@ -150,7 +172,7 @@ PickReported reportedFrom(const json& j) {
     known = true;
   }
   if (!known) throw std::invalid_argument("outcome '" + outcome + "' is not known");
-  e.discarded = j.at("discarded").get<std::vector<std::size_t>>();
+  e.discarded = wholesFrom<std::size_t>(j.at("discarded"));
   if (j.count("measured") != 0) e.measured = placementFrom(j.at("measured"));
   return e;
 }
