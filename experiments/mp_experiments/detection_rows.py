@@ -52,5 +52,6 @@ def holds(row, summary, limit, margin=1.0):
 
 
 def truncated_holds(summary):
-    """Every box outside the image that was found says so, and no size is wrong beyond its standard deviation."""
-    return (summary['truncated_flagged'] == summary['truncated_found'] and summary['sizes_beyond_stddev'] == 0)
+    """Boxes outside the image are found at all, every one of them says so, and no size is wrong beyond its standard deviation."""
+    return ((summary['truncated_found'] > 0 or summary['truncated'] == 0) and
+            summary['truncated_flagged'] == summary['truncated_found'] and summary['sizes_beyond_stddev'] == 0)

@@ -60,6 +60,8 @@ class Rows(unittest.TestCase):
     def test_truncated_rows_are_judged_by_flags_and_sizes(self):
         self.assertTrue(detection_rows.truncated_holds(summary()))
         self.assertFalse(detection_rows.truncated_holds(summary(truncated_flagged=2)))
+        self.assertFalse(detection_rows.truncated_holds(summary(truncated=1, truncated_found=0, truncated_flagged=0)))
+        self.assertTrue(detection_rows.truncated_holds(summary(truncated=0, truncated_found=0, truncated_flagged=0)))
         self.assertFalse(detection_rows.truncated_holds(summary(sizes_beyond_stddev=1)))
 
     def test_a_missing_recipe_is_named(self):
