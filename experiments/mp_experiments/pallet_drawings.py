@@ -7,6 +7,12 @@ INK, WOOD, GRAVITY = '#333', '#a5825a', '#c62828'
 COS30 = 3 ** 0.5 / 2
 CARRIER_MM = 100  # height of the carrier in the drawing
 WIDTH_PX, LAYER_PX, CHART_PX = 520, 250, 900
+LETTER_WIDTH = 0.6  # of a letter's height, about
+
+
+def millimetres(values):
+    """Sides or coordinates, to a tenth."""
+    return ' x '.join(f'{round(v, 1):g}' for v in values)
 
 
 def colours(record):
@@ -160,12 +166,14 @@ def layer(record, height):
         elif top == height:
             parts.append(_rectangle(placement, y_size, 'fill="none" stroke="#888" stroke-width="3" stroke-dasharray="14 10"'))
     for placement in standing:
-        (x, y, _), (w, h, tall) = placement['origin_mm'], placement['size_mm']
+        (x, y, _), (w, h, _) = placement['origin_mm'], placement['size_mm']
         letter = max(18.0, min(h / 3, w / 5, 60))
+        size = millimetres(placement['size_mm'])
+        small = min(letter * 0.55, 0.9 * w / (LETTER_WIDTH * len(size)))
         parts.append(f'<g data-step="{placement["sequence"]}">'
                      + _rectangle(placement, y_size, f'fill="{tint[placement["type"]]}" stroke="{INK}" stroke-width="4"')
                      + _text(x + w / 2, y_size - y - h / 2 + letter / 6, letter, placement['sequence'], ' font-weight="600"')
-                     + _text(x + w / 2, y_size - y - h / 2 + letter * 0.85, letter * 0.55, f'{w} x {h} x {tall}') + '</g>')
+                     + _text(x + w / 2, y_size - y - h / 2 + letter * 0.85, small, size) + '</g>')
     return _svg((-8, -8, x_size + 16, y_size + 16), LAYER_PX, parts)
 
 

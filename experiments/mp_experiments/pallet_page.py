@@ -18,7 +18,7 @@ function showPicks(slider) {{
 
 
 def _millimetres(values):
-    return '–' if values is None else ' x '.join(f'{v:g}' for v in values)
+    return '–' if values is None else pallet_drawings.millimetres(values)
 
 
 def _percent(share):

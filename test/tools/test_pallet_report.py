@@ -51,7 +51,7 @@ TIMES = {'count': 1, 'median': 1.0, 'p99': 2.0, 'max': 2.0}
 EXECUTIVE = {'pallet_id': 'e', 'complete': False, 'message': 'no cloud', 'order': {'name': 'o', **INSTANCE},
              'times_ms': {'capture': TIMES, 'detection': TIMES, 'decision': TIMES},
              'picks': [{'type': 'a', 'origin_mm': [0, 0, 0], 'size_mm': [600, 400, 200], 'decision_ms': 7.0, 'available': 2,
-                        'measured_mm': [600.4, 400.1, 199.8]}], 'discards': [{'type': None, 'reason': 'dented'}]}
+                        'measured_mm': [600.4004, 400.1, 199.8]}], 'discards': [{'type': None, 'reason': 'dented'}]}
 
 
 def cut(rng, low, high, parts):
@@ -130,6 +130,16 @@ class Records(unittest.TestCase):
         self.assertEqual((record['complete'], record['message']), (False, 'no cloud'))
         self.assertEqual(sum(u['count'] for u in record['unpacked']), 4)
         self.assertIn('dented', [u['reason'] for u in record['unpacked']])
+        self.assertIn('<td>600.4 x 400.1 x 199.8</td>', pallet_page.render([record]))
+
+    def test_sizes_in_a_layer_stay_within_their_box(self):
+        record = pallet_sources.from_executive(EXECUTIVE)
+        for width in (90.0, 300.0, 1200.0):
+            record['placements'][0].update(origin_mm=[0, 0, 0], size_mm=[width, 400.2501, 199.75])
+            drawing = pallet_drawings.layer(record, 0).decode()
+            (letter, words), = re.findall(r'font-size="([0-9]+)"[^>]*>([0-9.]+ x [0-9.]+ x [0-9.]+)<', drawing)
+            self.assertEqual(words, f'{width:g} x 400.3 x 199.8')
+            self.assertLessEqual(int(letter) * 0.55 * len(words), width)
 
     def test_several_pallets(self):
         spread = dict(RESULT, pallets=2, placements=[dict(p, pallet=i // 2) for i, p in enumerate(RESULT['placements'])])
