@@ -92,4 +92,4 @@ table=("$root/test/torture/print_table.py" --rows "$results/rows" --command "$co
 [ -z "$write" ] || table+=(--write "$root/docs/reliability.md")
 [ -z "$only" ] || table+=(--keep)
 /usr/bin/python3 "${table[@]}"
-[ -z "$failed" ] || die "lost something:$failed"
+[ -z "$failed" ] || die "lost something, or was too late:$failed"
