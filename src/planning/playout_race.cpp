@@ -104,7 +104,7 @@ bool PlayoutRace::catchUp(std::size_t rounds, const packing::StopCallback& stop)
   while (true) {
     const std::size_t fewest = fewestEnds();
     if (fewest >= rounds) return true;
-    std::size_t next = rounds;
+    std::size_t next = std::min(rounds, fewest + kMostRoundsAtOnce);
     for (const Runner& runner : runners_) {
       if (runner.racing && runner.ends.size() > fewest) next = std::min(next, runner.ends.size());
     }

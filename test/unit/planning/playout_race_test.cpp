@@ -5,6 +5,8 @@
 #include <memory>
 #include <optional>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -64,63 +66,65 @@ double valueOfFirst(const PlayoutRace::Runner& runner, std::size_t count, double
   return sum;
 }
 
+/// Those of `orders` random orders with more pairs than lanes and more futures than one.
+std::vector<std::unique_ptr<Race>> openRaces(std::uint64_t seed, int orders) {
+  std::mt19937_64 rng(seed);
+  std::vector<std::unique_ptr<Race>> races;
+  for (int i = 0; i < orders; ++i) {
+    auto race = std::make_unique<Race>(rng);
+    if (race->open()) races.push_back(std::move(race));
+  }
+  EXPECT_GE(static_cast<int>(races.size()), orders / 4) << "seed " << seed;
+  return races;
+}
+
 TEST(PlayoutRaceTest, halvingLooksAtAllPairsAndEndsWithFewThatPlayedAsMuch) {
-  std::mt19937_64 rng(kSeed);
-  int races = 0;
-  for (int i = 0; i < 40; ++i) {
-    Race race(rng);
-    if (!race.open()) continue;
-    ++races;
-    const std::size_t before = (*race).leader();
-    const std::size_t lead = (*race).runners()[before].ends.size();
-    const std::size_t pairs = std::min<std::size_t>(race.pairs(), 12);
-    (*race).halve(pairs, 2, {});
-    const auto& runners = (*race).runners();
-    ASSERT_GE(runners.size(), pairs) << "seed " << kSeed << ", order " << i;
+  for (const auto& open : openRaces(kSeed, 40)) {
+    PlayoutRace& race = **open;
+    const std::size_t before = race.leader();
+    const std::size_t lead = race.runners()[before].ends.size();
+    const std::size_t pairs = std::min<std::size_t>(open->pairs(), 12);
+    race.halve(pairs, 2, {});
+    const auto& runners = race.runners();
+    ASSERT_GE(runners.size(), pairs) << "seed " << kSeed;
     std::size_t racing = 0;
     for (const PlayoutRace::Runner& runner : runners) {
-      EXPECT_GE(runner.ends.size(), 2U) << "seed " << kSeed << ", order " << i;
+      EXPECT_GE(runner.ends.size(), 2U) << "seed " << kSeed;
       if (!runner.racing) continue;
       ++racing;
-      EXPECT_GE(runner.ends.size(), lead) << "seed " << kSeed << ", order " << i;
+      EXPECT_GE(runner.ends.size(), lead) << "seed " << kSeed;
     }
     EXPECT_LE(racing, 3U);
-    EXPECT_TRUE(runners[before].racing) << "seed " << kSeed << ", order " << i;
-    const std::size_t now = (*race).leader();
-    EXPECT_GE((*race).meanValue(runners[now]), (*race).meanValue(runners[before]));
+    EXPECT_TRUE(runners[before].racing) << "seed " << kSeed;
+    EXPECT_GE(race.meanValue(runners[race.leader()]), race.meanValue(runners[before]));
   }
-  EXPECT_GE(races, 10) << "seed " << kSeed;
 }
 
 TEST(PlayoutRaceTest, theBetterHalfPlaysOn) {
-  std::mt19937_64 rng(kSeed + 1);
-  for (int i = 0; i < 12; ++i) {
-    Race race(rng);
-    if (!race.open()) continue;
-    const std::size_t before = (*race).leader();
+  for (const auto& open : openRaces(kSeed + 1, 12)) {
+    PlayoutRace& race = **open;
+    const std::size_t before = race.leader();
     constexpr std::size_t kFutures =
         4 * kSamples;  // more than any has played: what they played follows from the halving
-    (*race).halve(race.pairs(), kFutures, {});
+    race.halve(open->pairs(), kFutures, {});
     double best_out = -std::numeric_limits<double>::infinity();  // of those that dropped out at first
     double worst_in = std::numeric_limits<double>::infinity();
-    for (std::size_t r = 0; r < race.pairs(); ++r) {
-      const PlayoutRace::Runner& runner = (*race).runners()[r];
-      const double value = valueOfFirst(runner, kFutures, race.palletVolume());
+    for (std::size_t r = 0; r < open->pairs(); ++r) {
+      const PlayoutRace::Runner& runner = race.runners()[r];
+      const double value = valueOfFirst(runner, kFutures, open->palletVolume());
       if (runner.ends.size() == kFutures && !runner.racing) best_out = std::max(best_out, value);
       if (runner.ends.size() > kFutures && r != before) worst_in = std::min(worst_in, value);
     }
-    EXPECT_GE(worst_in, best_out) << "seed " << kSeed + 1 << ", order " << i;
+    EXPECT_GE(worst_in, best_out) << "seed " << kSeed + 1;
   }
 }
 
 TEST(PlayoutRaceTest, cutHalvingLeavesTheLeaderThatPlayedMost) {
-  std::mt19937_64 rng(kSeed + 2);
-  for (int i = 0; i < 40; ++i) {
-    Race race(rng);
-    if (!race.open()) continue;
-    const std::size_t before = (*race).leader();
-    (*race).halve(race.pairs(), 2, [calls = std::make_shared<int>(0)] { return ++*calls > 3; });
-    EXPECT_EQ((*race).leader(), before) << "seed " << kSeed + 2 << ", order " << i;
+  for (const auto& open : openRaces(kSeed + 2, 40)) {
+    PlayoutRace& race = **open;
+    const std::size_t before = race.leader();
+    race.halve(open->pairs(), 2, [calls = std::make_shared<int>(0)] { return ++*calls > 3; });
+    EXPECT_EQ(race.leader(), before) << "seed " << kSeed + 2;
   }
 }
 
